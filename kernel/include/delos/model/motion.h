@@ -1,0 +1,61 @@
+// How the target is expected to move between measurements.
+#pragma once
+
+#include <variant>
+
+#include "delos/api.h"
+#include "delos/model/state.h"
+
+namespace delos {
+
+/// One step of the motion: x⁺ = A x + w, w ~ N(0, Q).
+struct MotionStep {
+  StateMatrix A;  ///< transition, n×n
+  StateMatrix Q;  ///< process noise, n×n, squared state units
+};
+
+/// An integrator chain per pose coordinate, driven by white noise: P, PV or PVA.
+///
+///     dx_i/dt = x_{i+1},  dx_{k−1}/dt = noise of spectral density q
+///
+/// Source: Allen (2007), dissertation, Eqs. 21–25.
+struct ChainMotion {
+  CoordinateMatrix q;  ///< d×d, symmetric > 0, (m or rad)²/s^(2k−1)
+  friend bool operator==(const ChainMotion& a, const ChainMotion& b) { return a.q == b.q; }
+};
+
+/// A given discrete model of one update; it has no continuous-time form.
+struct CustomMotion {
+  StateMatrix A;  ///< n×n
+  StateMatrix Q;  ///< n×n, symmetric ≥ 0
+  friend bool operator==(const CustomMotion& a, const CustomMotion& b) {
+    return a.A == b.A && a.Q == b.Q;
+  }
+};
+
+/// The motion model of a scene.
+struct MotionModel {
+  StateLayout layout;
+  std::variant<ChainMotion, CustomMotion> dynamics;
+
+  /// True for P, PV and PVA, for which exact closed forms exist.
+  [[nodiscard]] bool is_chain() const {
+    return std::holds_alternative<ChainMotion>(dynamics);
+  }
+  friend bool operator==(const MotionModel&, const MotionModel&) = default;
+};
+
+/// A and Q over a time dt. For chains of order k, with i, j from 0:
+///
+///     A_ij = dt^(j−i)/(j−i)!
+///     Q_ij = q dt^(2k−1−i−j) / ((2k−1−i−j) (k−1−i)! (k−1−j)!)
+///
+/// A custom model is one update whatever dt is.
+/// @param dt seconds, > 0
+[[nodiscard]] DELOS_API MotionStep discretize(const MotionModel& motion, double dt);
+
+/// The continuous chain dx/dt = A x + w, with Q the noise's spectral density, n×n.
+/// @pre motion.is_chain()
+[[nodiscard]] DELOS_API MotionStep continuous_form(const MotionModel& motion);
+
+}  // namespace delos

@@ -1,0 +1,66 @@
+// What the filter estimates: which pose coordinates, how many derivatives, what else.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "delos/api.h"
+
+namespace delos {
+
+/// Largest state: six pose coordinates with two derivatives, and twelve biases.
+/// Fixed so that a solve never touches the heap.
+inline constexpr int kMaxState = 30;
+
+/// Most pose coordinates: [δp, δθ].
+inline constexpr int kMaxCoordinates = 6;
+
+/// Square matrix over the state, n×n with n ≤ kMaxState, stored inline.
+using StateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                  kMaxState, kMaxState>;
+/// Vector over the state, n×1, stored inline.
+using StateVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxState, 1>;
+/// Square matrix over the pose coordinates, d×d with d ≤ 6, stored inline.
+using CoordinateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic,
+                                       Eigen::ColMajor, kMaxCoordinates, kMaxCoordinates>;
+/// Vector over the pose coordinates, d×1, stored inline.
+using CoordinateVector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxCoordinates, 1>;
+
+/// Which coordinates of the target's pose are estimated.
+///
+/// Position is p_WT in metres. Orientation is the small rotation δθ about the *world's*
+/// axes that turns the true orientation into the estimate, R_WT ← exp(δθ) R_WT, radians.
+enum class PoseState {
+  position,     ///< δp: x, y, z
+  orientation,  ///< δθ: roll, pitch, yaw
+  pose,         ///< [δp, δθ]
+};
+
+/// How the state vector is laid out: order blocks of d pose coordinates (pose, velocity,
+/// acceleration), then the extra states (biases).
+struct StateLayout {
+  PoseState pose = PoseState::position;
+  int order = 1;                   ///< 1, 2 or 3 blocks: pose, velocity, acceleration
+  std::vector<std::string> extra;  ///< names of the states behind the blocks
+
+  /// d, the number of pose coordinates: 3 or 6.
+  [[nodiscard]] int coordinates() const { return pose == PoseState::pose ? 6 : 3; }
+  /// n, the size of the state.
+  [[nodiscard]] int size() const {
+    return coordinates() * order + static_cast<int>(extra.size());
+  }
+  /// Number of position coordinates: 3, or 0 for an orientation-only state.
+  [[nodiscard]] int positions() const { return pose == PoseState::orientation ? 0 : 3; }
+
+  /// Names in the order of the state vector: x, y, z, roll, pitch, yaw, vx, …, vyaw,
+  /// ax, …, ayaw, then the extra states.
+  [[nodiscard]] DELOS_API std::vector<std::string> names() const;
+  /// SI units in the same order: m, rad, m/s, rad/s, m/s^2, rad/s^2; extra states "1".
+  [[nodiscard]] DELOS_API std::vector<std::string> units() const;
+
+  friend bool operator==(const StateLayout&, const StateLayout&) = default;
+};
+
+}  // namespace delos
