@@ -1,0 +1,67 @@
+// The scalar integrator chain: its steady-state covariance in closed form.
+//
+// Everything that a pose-only field needs of the Riccati equation is here: after the
+// spectral reduction (spectral.h) only d scalar problems are left.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "delos/api.h"
+
+namespace delos {
+
+/// k×k covariance or derivative of a scalar chain, k ≤ 3, stored inline.
+using ChainMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+
+/// Which instant of the steady cycle a covariance describes.
+enum class CovarianceKind {
+  prior,      ///< predicted, just before the measurements of an update
+  posterior,  ///< just after them
+};
+
+/// Steady-state covariance of the chain of one coordinate, driven by unit white noise.
+///
+/// The chain of order k with q = 1, measured every dt with variance 1/λ, or, for
+/// `continuous_chain`, measured continuously with information rate λ. Computed from sums of
+/// positive terms only, so that no digits are lost at any ratio ρ = dt^(2k−1) λ of process
+/// to measurement noise.
+struct ChainSolution {
+  ChainMatrix covariance;  ///< k×k: f_ij(λ)
+  ChainMatrix derivative;  ///< k×k: f_ij′(λ), filled only by the *_with_derivative calls
+};
+
+/// @param order  k, 1 to 3
+/// @param dt     update period, seconds, > 0
+/// @param lambda information of one update, > 0
+/// @returns the covariance; `derivative` is left empty (0×0).
+/// @cost  a few square roots; k = 3 adds about five Newton steps. No heap.
+/// Source: k = 1, 2: Kalata (1984), doi:10.1109/TAES.1984.310438, rewritten without
+///         cancellation; k = 3: spectral factorisation in the bilinear variable, chain.cpp.
+[[nodiscard]] DELOS_API ChainSolution discrete_chain(int order, double dt, double lambda,
+                                                     CovarianceKind kind);
+
+/// Like discrete_chain(), with f′(λ).
+[[nodiscard]] DELOS_API ChainSolution discrete_chain_with_derivative(int order, double dt,
+                                                                     double lambda,
+                                                                     CovarianceKind kind);
+
+/// The variance f_00 alone of discrete_chain(): what position metrics need.
+[[nodiscard]] DELOS_API double discrete_chain_variance(int order, double dt, double lambda,
+                                                       CovarianceKind kind);
+
+/// Steady state under continuous measurement: f_00 = λ^(−1/2), √2 λ^(−3/4), 2 λ^(−5/6).
+/// @param rate information per second, λ, > 0
+[[nodiscard]] DELOS_API ChainSolution continuous_chain(int order, double rate);
+
+/// Like continuous_chain(), with f′(λ).
+[[nodiscard]] DELOS_API ChainSolution continuous_chain_with_derivative(int order,
+                                                                       double rate);
+
+/// Time constant of the slowest closed-loop pole of A − KH, seconds: −dt/ln ρ(A − KH).
+[[nodiscard]] DELOS_API double discrete_chain_time_constant(int order, double dt,
+                                                            double lambda);
+/// The same under continuous measurement: −1/max Re(pole).
+[[nodiscard]] DELOS_API double continuous_chain_time_constant(int order, double rate);
+
+}  // namespace delos
