@@ -1,0 +1,68 @@
+// The device contract: what a plugin author implements.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "delos/api.h"
+#include "delos/model/state.h"
+
+namespace delos {
+
+/// Most rows that one device reports in one update.
+inline constexpr int kMaxRows = 30;
+
+/// What a device's readings depend on: the columns of its Jacobian.
+enum class Span {
+  point,   ///< 3: the position of a point, δp. The kernel knows how it moves with the pose.
+  pose,    ///< 6: the target's pose, [δp, δθ]
+  motion,  ///< 18: pose, its velocity and acceleration, [δp, δθ, δv, δω, δa, δα]
+  state,   ///< n: the filter's state itself, in the order of StateLayout::names()
+};
+
+/// The thing being tracked, as one device sees it.
+struct Target {
+  /// Where the observed point or the target is, metres, in the device's frame S.
+  Eigen::Vector3d p_ST = Eigen::Vector3d::Zero();
+  /// The target's orientation in S.
+  Eigen::Matrix3d R_ST = Eigen::Matrix3d::Identity();
+  /// [v, ω] in S, m/s and rad/s. Fields are linearised about rest: zero there.
+  Eigen::Matrix<double, 6, 1> velocity = Eigen::Matrix<double, 6, 1>::Zero();
+  /// [a, α] in S, m/s² and rad/s². Zero in fields.
+  Eigen::Matrix<double, 6, 1> acceleration = Eigen::Matrix<double, 6, 1>::Zero();
+  /// Deviation of the whole state from the point of linearisation, n×1, SI. Zero in fields;
+  /// the contract test moves it.
+  StateVector state;
+};
+
+/// What a device measures of a target, linearised there. Stored inline.
+struct Observation {
+  /// The noiseless reading, m×1, measurement units. The filter never needs it; the contract
+  /// test does, to check H against differences.
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRows, 1> z;
+  /// Jacobian ∂z/∂(the columns of Span), m×c, in the device's frame S.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, kMaxState>
+      H;
+  /// Covariance of z, m×m, symmetric ≥ 0, measurement units squared. Singular: perfect.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, kMaxRows>
+      R;
+};
+
+/// A sensor or beacon. Knows its own frame S and nothing of the world: the kernel places it,
+/// tests the line of sight and turns H into the world frame.
+///
+/// Instances are immutable; observe() is called from many threads at once.
+class DELOS_API Device {
+ public:
+  virtual ~Device();
+
+  /// What the columns of H are.
+  [[nodiscard]] virtual Span span() const { return Span::point; }
+  /// Number of columns for Span::state; the loader compares it with the state's size.
+  [[nodiscard]] virtual int state_size() const { return 0; }
+
+  /// Linearise the measurement of the target.
+  /// @returns false when it is out of reach or view; `out` is then unspecified.
+  [[nodiscard]] virtual bool observe(const Target& target, Observation& out) const = 0;
+};
+
+}  // namespace delos

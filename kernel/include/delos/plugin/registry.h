@@ -1,0 +1,62 @@
+// Finds, checks and opens device plugins.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "delos/api.h"
+#include "delos/plugin.h"
+
+namespace delos {
+
+/// Where plugins are looked for, first match wins: `extra` (--plugin-dir), then the colon-
+/// separated DELOS_PLUGIN_PATH, then the folder `delos` beside the kernel's library.
+[[nodiscard]] DELOS_API std::vector<std::filesystem::path> plugin_folders(
+    const std::vector<std::filesystem::path>& extra = {});
+
+/// What came of opening one plugin.
+struct PluginLoad {
+  const PluginInfo* info = nullptr;  ///< null where it could not be used
+  std::filesystem::path path;        ///< the library, empty where none was found
+  std::string error;  ///< one sentence that says what is wrong and what to do
+};
+
+/// The device plugins of a program. Libraries are opened on first use and never closed,
+/// since devices and tables live in them.
+class DELOS_API PluginRegistry {
+ public:
+  explicit PluginRegistry(std::vector<std::filesystem::path> folders = plugin_folders());
+
+  /// The plugin with this id: `<folder>/<id>.so` in the first folder that has it.
+  /// The stamp is compared before any C++ object is touched. The answer is kept.
+  const PluginLoad& find(std::string_view id);
+
+  /// Every plugin in the folders, sorted by id, the broken ones with their errors.
+  std::vector<PluginLoad> all();
+
+  /// Ids of the libraries in the folders, sorted, without opening them.
+  [[nodiscard]] std::vector<std::string> ids() const;
+
+  [[nodiscard]] const std::vector<std::filesystem::path>& folders() const {
+    return folders_;
+  }
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, PluginLoad, std::less<>> loaded_;
+};
+
+/// Compare a plugin's stamp with the kernel's, field by field.
+/// @returns empty where they agree; else which field differs, both values, and what to do.
+[[nodiscard]] DELOS_API std::string stamp_difference(const AbiStamp& plugin);
+
+/// Create a device.
+/// @throws std::exception what the plugin's constructor throws, when values clash.
+[[nodiscard]] DELOS_API std::shared_ptr<const Device> make_device(const PluginInfo& info,
+                                                                  const ParamValues& params);
+
+}  // namespace delos

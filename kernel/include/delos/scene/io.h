@@ -1,0 +1,45 @@
+// Scenes from text and back.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "delos/plugin/registry.h"
+#include "delos/scene/diagnostic.h"
+#include "delos/scene/scene.h"
+
+namespace delos {
+
+/// A change of one value before a scene is checked: "devices.s1.at.z" = "1.2 m".
+struct Override {
+  std::string path;
+  std::string value;
+};
+
+/// "PATH=VALUE" as the command line writes it; nullopt where there is no '=' or no path.
+[[nodiscard]] DELOS_API std::optional<Override> parse_override(std::string_view text);
+
+/// Read a scene file.
+///
+/// Every value is checked against the parameter tables of the plugins that the scene names;
+/// all findings of the file are reported together, none is mended silently.
+/// @param overrides applied in order before the check; findings in them are located as
+///        "--set PATH".
+/// @returns nullopt where a finding is an error.
+[[nodiscard]] DELOS_API std::optional<Scene> load_scene(
+    const std::filesystem::path& file, const std::vector<Override>& overrides,
+    PluginRegistry& plugins, Diagnostics& diagnostics);
+
+/// The same from text; `file` names it in messages and is what relative paths start from.
+[[nodiscard]] DELOS_API std::optional<Scene> parse_scene(
+    std::string_view text, const std::filesystem::path& file,
+    const std::vector<Override>& overrides, PluginRegistry& plugins,
+    Diagnostics& diagnostics);
+
+/// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
+[[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
+
+}  // namespace delos

@@ -1,0 +1,134 @@
+// A scene: everything that a user wrote, as plain data in SI units.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "delos/device/parameters.h"
+#include "delos/model/motion.h"
+#include "delos/model/pose.h"
+#include "delos/riccati/chain.h"
+
+namespace delos {
+
+/// How the measurements of several devices come together.
+enum class Fusion {
+  stacked,     ///< all devices report together at every update; needs one rate
+  continuous,  ///< asynchronous devices in the limit of frequent updates
+  periodic,    ///< exact, over the cycle in which all rates repeat
+  sequential,  ///< one device per update, round robin
+  artemis,     ///< the papers' sum of Ψ matrices, for comparison with published plots
+};
+
+/// How the values of several target orientations at one point become one.
+enum class OrientationRule { worst, mean };
+
+/// A regular grid of samples in a box, both ends included: min, min + step, … ≤ max.
+struct VolumeSampling {
+  Eigen::Vector3d min;   ///< metres
+  Eigen::Vector3d max;   ///< metres, ≥ min
+  Eigen::Vector3d step;  ///< metres, > 0
+  friend bool operator==(const VolumeSampling&, const VolumeSampling&) = default;
+};
+
+/// counts[0]×counts[1] samples on the parallelogram origin + a·u + b·v, a and b in [0, 1].
+struct PlaneSampling {
+  Eigen::Vector3d origin, u, v;  ///< metres
+  Eigen::Vector2i counts;        ///< ≥ 1 each
+  friend bool operator==(const PlaneSampling&, const PlaneSampling&) = default;
+};
+
+/// Given points; `file` is the .ptl or .csv they were read from, empty when inline.
+struct PointSampling {
+  std::string file;                     ///< as written, relative to the scene's folder
+  std::vector<Eigen::Vector3d> points;  ///< metres
+  friend bool operator==(const PointSampling&, const PointSampling&) = default;
+};
+
+/// One named set of sample points.
+struct SampleSet {
+  std::string name;  ///< may be empty
+  std::variant<VolumeSampling, PlaneSampling, PointSampling> shape;
+  friend bool operator==(const SampleSet&, const SampleSet&) = default;
+};
+
+/// Target orientations tried at every sample point.
+struct Orientations {
+  std::vector<Eigen::Vector3d> rpy = {Eigen::Vector3d::Zero()};  ///< radians
+  OrientationRule combine = OrientationRule::worst;
+  friend bool operator==(const Orientations&, const Orientations&) = default;
+};
+
+/// An orientation as the user gave it, so that a moved device keeps its aim.
+struct Rpy {
+  Eigen::Vector3d angles;  ///< roll, pitch, yaw, radians
+  friend bool operator==(const Rpy&, const Rpy&) = default;
+};
+struct QuaternionWxyz {
+  Eigen::Vector4d wxyz;  ///< normalised when placed
+  friend bool operator==(const QuaternionWxyz&, const QuaternionWxyz&) = default;
+};
+struct Aim {
+  Eigen::Vector3d at;  ///< the point looked at, metres, in the same frame as the position
+  friend bool operator==(const Aim&, const Aim&) = default;
+};
+
+/// Where something is, in its group's frame or the world's.
+struct Placement {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();                 ///< metres
+  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim> facing;  ///< monostate: identity
+  friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+/// A frame that devices are placed in.
+struct Group {
+  std::string name;
+  Placement placement;
+  friend bool operator==(const Group&, const Group&) = default;
+};
+
+/// A device of the scene. Every parameter of its table has a value.
+struct DeviceEntry {
+  std::string name;
+  std::string type;
+  double rate = 0;   ///< updates a second, > 0
+  double phase = 0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
+  std::string group;  ///< empty: the world
+  Placement placement;
+  ParamValues params;
+  friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
+};
+
+/// A whole scene.
+struct Scene {
+  std::string name;
+  MotionModel motion;
+  std::optional<Fusion> fusion;  ///< not given: stacked where all rates are equal, else
+                                 ///< continuous
+  std::vector<SampleSet> samples;
+  Orientations orientations;
+  CovarianceKind covariance = CovarianceKind::prior;
+  std::string metric = "eigmax";
+  /// Points on the target that point devices observe, metres, in the target's frame.
+  std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
+  std::vector<Group> groups;
+  std::vector<DeviceEntry> devices;
+
+  friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// The words that scenes, JSON and messages use.
+[[nodiscard]] DELOS_API const char* to_string(Fusion fusion);
+[[nodiscard]] DELOS_API const char* to_string(CovarianceKind kind);
+
+/// X_GS or X_WG of a placement.
+[[nodiscard]] DELOS_API Pose pose_of(const Placement& placement);
+
+/// X_WS of a device: its placement within its group.
+/// @pre the group exists
+[[nodiscard]] DELOS_API Pose device_pose(const Scene& scene, const DeviceEntry& device);
+
+}  // namespace delos
