@@ -1,0 +1,50 @@
+// Fields as files, by suffix: .vti .vtp .csv .json .png.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "delos/api.h"
+#include "delos/field/field.h"
+
+namespace delos {
+
+/// How a picture shows a field.
+struct PictureOptions {
+  bool log10 = false;   ///< colours follow log10 of the value
+  double slice_z = 0;   ///< height of the slice through a volume, metres; nearest layer
+  bool has_slice = false;  ///< false: the slice through the best sample
+  bool larger_is_better = false;  ///< turns the colours round: bright is always good
+};
+
+/// Write a field in the format of the file's suffix. Written beside the target under a
+/// temporary name and then renamed, so that a failure leaves what was there.
+///
+///   .vti  regular grid for ParaView; needs exactly one volume
+///   .vtp  points for ParaView; any samples
+///   .csv  x,y,z,value,observable with a header; a blind value is empty
+///   .json the statistics and every value; a blind value is null
+///   .png  a slice with a colour bar; needs a volume or a plane
+///
+/// @returns empty, or a sentence that says why it was not written and what would be right.
+[[nodiscard]] DELOS_API std::string write_field(const Field& field,
+                                                const std::filesystem::path& file,
+                                                const PictureOptions& picture = {});
+
+/// Empty where write_field() knows the suffix and can show this field; else why not. Asked
+/// before a long evaluation.
+[[nodiscard]] DELOS_API std::string writable(const Samples& samples,
+                                             const std::filesystem::path& file);
+
+/// The field as the contract's JSON document (`field --json`), indented, one newline at the
+/// end. Non-finite numbers never appear.
+[[nodiscard]] DELOS_API std::string field_json(const Field& field);
+
+/// A small picture of a slice for a terminal: half blocks in 24-bit colour, or shades of
+/// plain characters where `colour` is false. Lines end in newlines.
+/// @param columns width available, characters
+[[nodiscard]] DELOS_API std::string terminal_picture(const Field& field, int columns,
+                                                     bool colour,
+                                                     const PictureOptions& picture = {});
+
+}  // namespace delos
