@@ -1,0 +1,119 @@
+#include "command.h"
+
+#include <iostream>
+#include <stdexcept>
+
+#include "delos/scene/units.h"
+#include "interrupt.h"
+#include "progress.h"
+
+namespace delos::cli {
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("--set", options.set, "Change a value: PATH=VALUE, repeatable")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--metric", options.metric,
+                     "Metric instead of the scene's: eigmax, sigma_x, coverage, …");
+  command.add_option("--fusion", options.fusion,
+                     "stacked, continuous, periodic, sequential or artemis");
+  command.add_option("--covariance", options.covariance, "prior or posterior");
+  command.add_option("--solver", options.solver, "auto, spectral, doubling or eigenvector")
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Threads; 0: one a core")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--plugin-dir", options.plugin_dirs,
+                     "Folder with device plugins, searched first; repeatable")
+      ->allow_extra_args(false);
+  command.add_flag("--json", options.json, "One JSON document on stdout, nothing else");
+}
+
+namespace {
+
+std::vector<Override> overrides_of(const SceneOptions& options) {
+  std::vector<Override> overrides;
+  for (const std::string& text : options.set) {
+    std::optional<Override> change = parse_override(text);
+    if (!change) {
+      throw Failure{kUsage, "--set '" + text + "': write PATH=VALUE, for example "
+                            "--set devices.cam1.at.z=2.5"};
+    }
+    overrides.push_back(std::move(*change));
+  }
+  if (!options.metric.empty()) overrides.push_back({"metric", options.metric});
+  if (!options.fusion.empty()) overrides.push_back({"fusion", options.fusion});
+  if (!options.covariance.empty()) {
+    overrides.push_back({"covariance", options.covariance});
+  }
+  return overrides;
+}
+
+}  // namespace
+
+LoadedScene load(const std::filesystem::path& file, const SceneOptions& options,
+                 PluginRegistry& plugins) {
+  Diagnostics diagnostics;
+  const std::optional<Scene> scene =
+      load_scene(file, overrides_of(options), plugins, diagnostics);
+  for (const Diagnostic& d : diagnostics) std::cerr << to_string(d) << "\n";
+  if (!scene) throw Failure{kDiagnostics, ""};
+
+  const auto metric = parse_metric(scene->metric, scene->motion.layout);
+  if (const auto* problem = std::get_if<std::string>(&metric)) {
+    throw Failure{kDiagnostics, file.string() + ": metric: " + *problem};
+  }
+  return {*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
+}
+
+Solver solver_named(const std::string& name) {
+  for (const Solver s :
+       {Solver::automatic, Solver::spectral, Solver::doubling, Solver::eigenvector}) {
+    if (name == to_string(s)) return s;
+  }
+  throw Failure{kUsage, "--solver '" + name +
+                            "': choose auto, spectral, doubling or eigenvector"};
+}
+
+Field evaluate(const LoadedScene& loaded, const Samples& samples,
+               const SceneOptions& options) {
+  const Interrupt interrupt;
+  Progress progress(loaded.scene.name);
+  FieldOptions field_options;
+  field_options.solver = solver_named(options.solver);
+  field_options.threads = options.threads;
+  field_options.cancel = &interrupt.requested();
+  field_options.progress = [&](std::size_t done, std::size_t all) {
+    progress.update(done, all);
+  };
+  try {
+    Field field = evaluate_field(loaded.system, samples, loaded.scene.orientations,
+                                 loaded.metric, field_options);
+    field.scene = loaded.scene.name;
+    return field;
+  } catch (const std::invalid_argument& error) {
+    throw Failure{kUsage, error.what()};
+  }
+}
+
+Eigen::Vector3d three_numbers(const std::string& text, const char* unit,
+                              const char* option) {
+  Eigen::Vector3d numbers;
+  std::size_t from = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',', from);
+    if ((comma == std::string::npos) != (i == 2)) {
+      throw Failure{kUsage, std::string(option) + " '" + text +
+                                "': write three values with commas, for example 0.5,1,1.8"};
+    }
+    const auto value = parse_quantity(text.substr(from, comma - from), unit);
+    if (const auto* problem = std::get_if<std::string>(&value)) {
+      throw Failure{kUsage, std::string(option) + " '" + text + "': " + *problem};
+    }
+    numbers(i) = std::get<double>(value);
+    from = comma + 1;
+  }
+  return numbers;
+}
+
+}  // namespace delos::cli

@@ -1,0 +1,74 @@
+// What the commands of the program share: options, scenes, exit codes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "delos/field/evaluate.h"
+#include "delos/field/system.h"
+#include "delos/plugin/registry.h"
+#include "delos/scene/io.h"
+
+namespace delos::cli {
+
+/// How the program ends.
+enum ExitCode : int {
+  kDone = 0,
+  kDiagnostics = 1,  ///< the scene or a plugin is at fault
+  kUsage = 2,        ///< the command line is at fault
+  kCancelled = 3,    ///< stopped before the end; what was reached is written
+  kInternal = 70,
+};
+
+/// Thrown to end a command with a message on stderr.
+struct Failure {
+  ExitCode code;
+  std::string message;
+};
+
+/// Options of every command that evaluates a scene.
+struct SceneOptions {
+  std::vector<std::string> set;
+  std::vector<std::filesystem::path> plugin_dirs;
+  std::string metric, solver = "auto", fusion, covariance;
+  int threads = 0;
+  bool json = false;
+};
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// A scene ready to be evaluated.
+struct LoadedScene {
+  Scene scene;
+  System system;
+  Metric metric;
+};
+
+/// Load, override and build. Prints every finding to stderr.
+/// @throws Failure kDiagnostics or kUsage
+[[nodiscard]] LoadedScene load(const std::filesystem::path& file,
+                               const SceneOptions& options, PluginRegistry& plugins);
+
+/// @throws Failure kUsage
+[[nodiscard]] Solver solver_named(const std::string& name);
+
+/// Evaluate with progress on stderr and a clean end at Ctrl-C.
+/// @throws Failure kUsage where the solver can't do the scene
+[[nodiscard]] Field evaluate(const LoadedScene& loaded, const Samples& samples,
+                             const SceneOptions& options);
+
+/// "1.5,2,0.3" as three numbers, each with an optional unit.
+/// @throws Failure kUsage
+[[nodiscard]] Eigen::Vector3d three_numbers(const std::string& text, const char* unit,
+                                            const char* option);
+
+void add_field_command(CLI::App& program, int& exit_code);
+void add_point_command(CLI::App& program, int& exit_code);
+void add_compare_command(CLI::App& program, int& exit_code);
+void add_check_command(CLI::App& program, int& exit_code);
+void add_devices_command(CLI::App& program, int& exit_code);
+void add_demo_command(CLI::App& program, int& exit_code);
+
+}  // namespace delos::cli

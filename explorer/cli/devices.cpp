@@ -1,0 +1,154 @@
+// delos devices: the device plugins and their parameter tables.
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "command.h"
+#include "delos/scene/units.h"
+#include "json.h"
+
+namespace delos::cli {
+namespace {
+
+struct DevicesCommand {
+  std::string id;
+  std::vector<std::filesystem::path> plugin_dirs;
+  bool json = false, markdown = false;
+};
+
+const char* word(ParamKind kind) {
+  switch (kind) {
+    case ParamKind::number:
+      return "number";
+    case ParamKind::choice:
+      return "choice";
+    case ParamKind::vector:
+      return "vector";
+    case ParamKind::matrix:
+      return "matrix";
+  }
+  return "";
+}
+
+std::string default_of(const ParamSpec& p) {
+  if (p.kind == ParamKind::number) {
+    return std::isnan(p.initial) ? "required" : shortest(p.initial);
+  }
+  return p.text ? p.text : "required";
+}
+
+std::string range_of(const ParamSpec& p) {
+  if (p.kind == ParamKind::choice) return p.choices;
+  const bool lower = std::isfinite(p.lower), upper = std::isfinite(p.upper);
+  if (lower && upper) return shortest(p.lower) + " … " + shortest(p.upper);
+  if (lower) return "≥ " + shortest(p.lower);
+  if (upper) return "≤ " + shortest(p.upper);
+  return "any";
+}
+
+Json to_json(const PluginInfo& info) {
+  Json json{{"id", info.id}, {"version", info.version}, {"summary", info.summary}};
+  json["params"] = Json::array();
+  for (std::uint32_t i = 0; i < info.n_params; ++i) {
+    const ParamSpec& p = info.params[i];
+    Json row{{"name", p.name}, {"kind", word(p.kind)}, {"unit", p.unit}};
+    if (p.kind == ParamKind::number) {
+      row["default"] = number(p.initial);
+      row["scale"] = p.scale == ParamScale::log ? "log" : "linear";
+    } else {
+      row["default"] = p.text ? Json(p.text) : Json();
+    }
+    if (p.kind == ParamKind::choice) row["choices"] = p.choices;
+    row["lower"] = number(p.lower);
+    row["upper"] = number(p.upper);
+    row["help"] = p.help;
+    json["params"].push_back(row);
+  }
+  return json;
+}
+
+/// '|' would end a cell.
+std::string cell(std::string text) {
+  for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2) {
+    text.insert(i, "\\");
+  }
+  return text;
+}
+
+void print_markdown(const PluginInfo& info) {
+  std::cout << "### `" << info.id << "` " << info.version << "\n\n"
+            << info.summary << "\n\n"
+            << "| parameter | kind | unit | default | range | meaning |\n"
+            << "|---|---|---|---|---|---|\n";
+  for (std::uint32_t i = 0; i < info.n_params; ++i) {
+    const ParamSpec& p = info.params[i];
+    std::cout << "| `" << p.name << "` | " << word(p.kind) << " | " << p.unit << " | "
+              << cell(default_of(p)) << " | " << cell(range_of(p)) << " | " << cell(p.help)
+              << " |\n";
+  }
+}
+
+void print_plain(const PluginInfo& info) {
+  std::cout << info.id << " " << info.version << ": " << info.summary << "\n";
+  for (std::uint32_t i = 0; i < info.n_params; ++i) {
+    const ParamSpec& p = info.params[i];
+    std::cout << "  " << std::left << std::setw(12) << p.name << p.help << "\n"
+              << std::string(14, ' ') << word(p.kind) << ", unit " << p.unit
+              << ", default " << default_of(p) << ", range " << range_of(p) << "\n";
+  }
+}
+
+int show_one(const DevicesCommand& command, PluginRegistry& plugins) {
+  const PluginLoad& load = plugins.find(command.id);
+  if (!load.info) throw Failure{kDiagnostics, load.error};
+  if (command.json) {
+    std::cout << to_json(*load.info).dump(2) << "\n";
+  } else if (command.markdown) {
+    print_markdown(*load.info);
+  } else {
+    print_plain(*load.info);
+  }
+  return kDone;
+}
+
+int show_all(const DevicesCommand& command, PluginRegistry& plugins) {
+  int exit_code = kDone;
+  Json json = Json::array();
+  for (const PluginLoad& load : plugins.all()) {
+    if (!load.info) {
+      std::cerr << load.error << "\n";
+      exit_code = kDiagnostics;
+    } else if (command.json) {
+      json.push_back(to_json(*load.info));
+    } else if (command.markdown) {
+      print_markdown(*load.info);
+      std::cout << "\n";
+    } else {
+      std::cout << std::left << std::setw(18) << load.info->id << load.info->summary
+                << "\n";
+    }
+  }
+  if (command.json) std::cout << json.dump(2) << "\n";
+  return exit_code;
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& program, int& exit_code) {
+  auto command = std::make_shared<DevicesCommand>();
+  CLI::App* app = program.add_subcommand("devices", "Device plugins and their parameters");
+  app->add_option("id", command->id, "One device: its parameter table");
+  app->add_option("--plugin-dir", command->plugin_dirs,
+                  "Folder with device plugins, searched first; repeatable")
+      ->allow_extra_args(false);
+  auto* json = app->add_flag("--json", command->json, "As JSON");
+  app->add_flag("--markdown", command->markdown, "As Markdown tables")->excludes(json);
+  app->footer("Examples:\n  delos devices\n  delos devices pinhole_camera --markdown");
+  app->callback([command, &exit_code] {
+    PluginRegistry plugins(plugin_folders(command->plugin_dirs));
+    exit_code =
+        command->id.empty() ? show_all(*command, plugins) : show_one(*command, plugins);
+  });
+}
+
+}  // namespace delos::cli

@@ -1,0 +1,31 @@
+// Numbers and matrices as the contract's JSON writes them.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace delos::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// A number; null where it isn't finite, since JSON has no infinity.
+inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// A list of numbers.
+template <class Vector>
+Json numbers(const Vector& v) {
+  Json list = Json::array();
+  for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(number(v(i)));
+  return list;
+}
+
+/// A list of rows.
+template <class Matrix>
+Json rows(const Matrix& m) {
+  Json list = Json::array();
+  for (Eigen::Index i = 0; i < m.rows(); ++i) list.push_back(numbers(m.row(i)));
+  return list;
+}
+
+}  // namespace delos::cli

@@ -1,0 +1,157 @@
+// delos point: everything about one point.
+#include "delos/field/point.h"
+
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+#include "command.h"
+#include "delos/output/format.h"
+#include "json.h"
+
+namespace delos::cli {
+namespace {
+
+struct PointCommand {
+  SceneOptions options;
+  std::filesystem::path scene;
+  std::string at, rpy = "0,0,0";
+};
+
+/// Rows and columns of states that reach into a lost direction have no finite covariance.
+StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
+  for (Eigen::Index i = 0; i < unobservable.rows(); ++i) {
+    if (unobservable.row(i).cwiseAbs().maxCoeff() < 1e-9) continue;
+    P.row(i).setConstant(std::numeric_limits<double>::infinity());
+    P.col(i).setConstant(std::numeric_limits<double>::infinity());
+  }
+  return P;
+}
+
+Json to_json(const PointReport& report, const LoadedScene& loaded,
+             const Eigen::Vector3d& rpy) {
+  const FusedState& state = report.state;
+  const auto covariance = [&](const StateMatrix& P) {
+    return rows(with_infinities(P, state.unobservable));
+  };
+  Json json;
+  json["scene"] = loaded.scene.name;
+  json["at"] = numbers(report.pose.p);
+  json["rpy"] = numbers(rpy);
+  json["fusion"] = to_string(loaded.system.fusion);
+  json["solver"] = to_string(report.solver);
+  json["state"] = loaded.scene.motion.layout.names();
+  json["units"] = loaded.scene.motion.layout.units();
+  json["observable"] = state.status == RiccatiStatus::converged;
+  json["unobservable_directions"] = rows(state.unobservable.transpose());
+  json["metrics"] = Json::object();
+  for (const MetricValue& m : report.metrics) {
+    json["metrics"][m.metric.name] = {{"value", number(m.value)}, {"unit", m.metric.unit}};
+  }
+  json["P_prior"] = covariance(state.prior);
+  json["P_posterior"] = covariance(state.posterior);
+  if (state.worst_prior.size() > 0) {
+    json["P_worst_prior"] = covariance(state.worst_prior);
+    json["P_best_posterior"] = covariance(state.best_posterior);
+  }
+  json["residual"] = number(report.residual);
+  json["devices"] = Json::array();
+  for (const DeviceShare& d : report.devices) {
+    json["devices"].push_back({{"name", d.name},
+                               {"type", d.type},
+                               {"visible", d.visible},
+                               {"share", number(d.share)}});
+  }
+  return json;
+}
+
+/// "x 0.71, y −0.71": the states that take part in a lost direction.
+std::string direction(const StateLayout& layout, const StateVector& v) {
+  std::ostringstream text;
+  text << std::setprecision(2);
+  const std::vector<std::string> names = layout.names();
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
+    if (std::abs(v(i)) < 1e-6) continue;
+    if (text.tellp() > 0) text << ", ";
+    text << names[static_cast<std::size_t>(i)] << " " << v(i);
+  }
+  return text.str();
+}
+
+void print(std::ostream& out, const PointReport& report, const LoadedScene& loaded) {
+  const FusedState& state = report.state;
+  out << loaded.scene.name << " at (" << report.pose.p.x() << ", " << report.pose.p.y()
+      << ", " << report.pose.p.z() << ") m: "
+      << (state.status == RiccatiStatus::converged
+              ? "every direction is observed"
+          : state.status == RiccatiStatus::unobservable
+              ? "some directions are not observed"
+              : "the iteration did not settle")
+      << "\n";
+  for (Eigen::Index i = 0; i < state.unobservable.cols(); ++i) {
+    out << "  lost: " << direction(loaded.scene.motion.layout, state.unobservable.col(i))
+        << "\n";
+  }
+  out << to_string(loaded.system.fusion) << " fusion, "
+      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori" : "a-posteriori")
+      << ", solver " << to_string(report.solver) << "\n";
+  for (const MetricValue& m : report.metrics) {
+    out << "  " << std::left << std::setw(18) << m.metric.name
+        << (std::isfinite(m.value) ? format_quantity(m.value, m.metric.unit)
+                                   : std::string("not observed"))
+        << "\n";
+  }
+  out << "Without this device alone, " << loaded.metric.name << " rises by\n";
+  for (const DeviceShare& d : report.devices) {
+    out << "  " << std::left << std::setw(18) << d.name;
+    if (!d.visible) {
+      out << "(doesn't see the point)";
+    } else if (!std::isfinite(d.share)) {
+      out << "lost";
+    } else {
+      out << std::setprecision(3) << 100 * d.share << " %";
+    }
+    out << "\n";
+  }
+}
+
+int run(const PointCommand& command) {
+  PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const LoadedScene loaded = load(command.scene, command.options, plugins);
+  const Eigen::Vector3d at = three_numbers(command.at, "m", "--at");
+  const Eigen::Vector3d rpy = three_numbers(command.rpy, "rad", "--rpy");
+  const PointReport report = [&] {
+    try {
+      return evaluate_point(loaded.system, {rotation_from_rpy(rpy), at}, loaded.metric,
+                            solver_named(command.options.solver));
+    } catch (const std::invalid_argument& error) {
+      throw Failure{kUsage, error.what()};
+    }
+  }();
+  if (command.options.json) {
+    std::cout << to_json(report, loaded, rpy).dump(2) << "\n";
+  } else {
+    print(std::cout, report, loaded);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_point_command(CLI::App& program, int& exit_code) {
+  auto command = std::make_shared<PointCommand>();
+  CLI::App* app = program.add_subcommand("point", "Everything about one point");
+  app->add_option("scene", command->scene, "Scene file")->required();
+  app->add_option("--at", command->at, "Position X,Y,Z, metres or with units")->required();
+  app->add_option("--rpy", command->rpy, "Orientation R,P,Y, radians or with units")
+      ->capture_default_str();
+  add_scene_options(*app, command->options);
+  app->footer(
+      "Examples:\n"
+      "  delos point scenes/01-acoustic.yaml --at 0.2,0.2,0.4\n"
+      "  delos point scenes/02-eight-cameras.yaml --at '20 cm,20 cm,24 cm' --json");
+  app->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace delos::cli

@@ -1,0 +1,53 @@
+// Everything about one point: covariances, metrics, what is lost and which device matters.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "delos/api.h"
+#include "delos/field/fusion.h"
+#include "delos/field/system.h"
+#include "delos/model/metric.h"
+
+namespace delos {
+
+/// What one device is to a point.
+struct DeviceShare {
+  std::string name;
+  std::string type;
+  bool visible = false;
+  /// Relative rise of the metric's loss when this device alone is taken away; +∞ where the
+  /// metric is lost without it. 0.5: half as large again.
+  double share = 0;
+};
+
+/// A metric and its value; +∞ where it reads a direction that isn't observed.
+struct MetricValue {
+  Metric metric;
+  double value = 0;
+};
+
+/// Everything about one pose.
+struct PointReport {
+  TargetPose pose;
+  FusedState state;
+  Solver solver = Solver::automatic;  ///< which one answered
+  bool careful = false;  ///< from the stacked whitened rows, not from their product
+  std::vector<MetricValue> metrics;   ///< every metric of the layout
+  std::vector<DeviceShare> devices;
+  /// Of the prior, where it solves one update's equation: how well. Else NaN.
+  double residual = 0;
+};
+
+/// Evaluate one pose. Where the spectral reduction holds, it is taken from the whitened rows
+/// themselves (spectral_form_of_rows), which keeps twice the digits of the smallest
+/// eigenvalue that a field has.
+/// @param metric what the shares are about
+/// @throws std::invalid_argument as FusionSolver
+[[nodiscard]] DELOS_API PointReport evaluate_point(const System& system,
+                                                   const TargetPose& pose,
+                                                   const Metric& metric,
+                                                   Solver solver = Solver::automatic);
+
+}  // namespace delos

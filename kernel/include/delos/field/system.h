@@ -1,0 +1,55 @@
+// A scene made ready to be evaluated: devices created and placed.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "delos/api.h"
+#include "delos/model/motion.h"
+#include "delos/model/pose.h"
+#include "delos/plugin/registry.h"
+#include "delos/scene/scene.h"
+
+namespace delos {
+
+/// A device in its place.
+struct PlacedDevice {
+  std::string name;
+  std::string type;
+  ParamValues params;                    ///< what `device` was made from
+  std::shared_ptr<const Device> device;  ///< never null
+  Pose X_WS;                             ///< device frame to world
+  double period = 0;                     ///< seconds between updates, > 0
+  double phase = 0;                      ///< seconds to the first update, ≥ 0
+};
+
+/// All that the steady-state equation needs of a scene.
+struct System {
+  MotionModel motion;
+  Fusion fusion = Fusion::stacked;
+  CovarianceKind covariance = CovarianceKind::prior;
+  std::vector<Eigen::Vector3d> markers;  ///< in the target's frame, metres
+  std::vector<PlacedDevice> devices;
+};
+
+/// Create and place the devices of a scene.
+///
+/// @param previous where given, its devices of equal type and parameters are reused, so
+///        that moving a device creates none.
+/// @pre the scene came from load_scene(), or passed its checks
+/// @throws std::exception what a plugin's constructor throws for clashing values
+/// @throws std::runtime_error a plugin is missing or broken
+[[nodiscard]] DELOS_API System build_system(const Scene& scene, PluginRegistry& plugins,
+                                            const System* previous = nullptr);
+
+/// The size of the information that the devices give: d where all measure the pose alone,
+/// else n.
+[[nodiscard]] DELOS_API int information_size(const System& system);
+
+/// A target's pose in the world, X_WT.
+using TargetPose = Pose;
+
+}  // namespace delos

@@ -1,0 +1,129 @@
+// From a device's own frame to rows over the state: frames, lever arms and whitening.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <limits>
+
+#include "delos/field/system.h"
+
+namespace delos {
+
+/// Rows over the pose coordinates or the whole state, stored inline.
+using StateRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                                kMaxRows, kMaxState>;
+
+/// What is reused from one observation to the next, so that no loop allocates.
+struct MeasureScratch {
+  Target target;
+  Observation observation;
+  StateRows rows;
+};
+
+/// Turn three columns that are a gradient in S into one in W: H_W = H_S R_SW.
+inline void turn(const Observation& o, int from, const Eigen::Matrix3d& R_SW, int to,
+                 StateRows& rows) {
+  rows.middleCols<3>(to).noalias() = o.H.middleCols<3>(from) * R_SW;
+}
+
+/// Visit every observation that a device makes of a target at X_WT: `visit(rows, R)` with
+/// rows m×c over the pose coordinates (or the whole state) and R m×m.
+/// @returns whether the device sees any of the target.
+template <class Visit>
+bool measure(const System& system, const PlacedDevice& placed, const TargetPose& X_WT,
+             int columns, MeasureScratch& scratch, Visit&& visit) {
+  const StateLayout& layout = system.motion.layout;
+  const int d = layout.coordinates();
+  const bool position = layout.pose != PoseState::orientation;
+  const bool orientation = layout.pose != PoseState::position;
+  const int theta = layout.positions();  // column of δθ
+  const Eigen::Matrix3d R_SW = placed.X_WS.R.transpose();
+  Target& target = scratch.target;
+  Observation& o = scratch.observation;
+
+  switch (placed.device->span()) {
+    case Span::point: {
+      bool seen = false;
+      for (const Eigen::Vector3d& marker : system.markers) {
+        const Eigen::Vector3d arm = X_WT.R * marker;  // in W, from the target's origin
+        target.p_ST.noalias() = R_SW * (X_WT.p + arm - placed.X_WS.p);
+        target.R_ST.noalias() = R_SW * X_WT.R;
+        if (!placed.device->observe(target, o)) continue;
+        seen = true;
+        scratch.rows.setZero(o.H.rows(), columns);
+        if (position) turn(o, 0, R_SW, 0, scratch.rows);
+        if (orientation) {
+          // A small turn δθ about the world's axes moves the point by δθ × arm.
+          const Eigen::Matrix3d lever = -R_SW * cross_matrix(arm);
+          scratch.rows.middleCols<3>(theta).noalias() = o.H.middleCols<3>(0) * lever;
+        }
+        visit(scratch.rows, o.R);
+      }
+      return seen;
+    }
+    case Span::pose:
+    case Span::motion: {
+      target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
+      target.R_ST.noalias() = R_SW * X_WT.R;
+      if (!placed.device->observe(target, o)) return false;
+      scratch.rows.setZero(o.H.rows(), columns);
+      const int orders = placed.device->span() == Span::pose ? 1 : layout.order;
+      for (int k = 0; k < orders; ++k) {
+        if (position) turn(o, 6 * k, R_SW, d * k, scratch.rows);
+        if (orientation) turn(o, 6 * k + 3, R_SW, d * k + theta, scratch.rows);
+      }
+      visit(scratch.rows, o.R);
+      return true;
+    }
+    case Span::state: {
+      target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
+      target.R_ST.noalias() = R_SW * X_WT.R;
+      target.state.setZero(layout.size());
+      if (!placed.device->observe(target, o)) return false;
+      scratch.rows = o.H;
+      visit(scratch.rows, o.R);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Split an observation into directions of independent noise: `noisy(row, variance)` for
+/// each eigenvector of R with finite weight, `exact(row)` for those without noise.
+///
+/// Smaller than m·ε times the largest variance, or too small to invert: no noise.
+template <class Noisy, class Exact>
+void whiten(const StateRows& rows, const decltype(Observation::R)& R, Noisy&& noisy,
+            Exact&& exact) {
+  const double least = std::numeric_limits<double>::min();
+  if (R.rows() == 1) {
+    if (R(0, 0) >= least) {
+      noisy(rows.row(0), R(0, 0));
+    } else {
+      exact(rows.row(0));
+    }
+    return;
+  }
+  if (R.rows() == 2 && R(0, 1) == 0 && R(1, 0) == 0 && R(0, 0) >= least &&
+      R(1, 1) >= least) {
+    noisy(rows.row(0), R(0, 0));
+    noisy(rows.row(1), R(1, 1));
+    return;
+  }
+  const Eigen::SelfAdjointEigenSolver<decltype(Observation::R)> split(R);
+  const auto& variance = split.eigenvalues();
+  const double floor =
+      std::max(least, R.rows() * std::numeric_limits<double>::epsilon() *
+                          variance(variance.size() - 1));
+  for (Eigen::Index i = 0; i < variance.size(); ++i) {
+    const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxState> row =
+        split.eigenvectors().col(i).transpose() * rows;
+    if (variance(i) > floor) {
+      noisy(row, variance(i));
+    } else {
+      exact(row);
+    }
+  }
+}
+
+}  // namespace delos

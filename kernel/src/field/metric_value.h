@@ -1,0 +1,29 @@
+// Metrics of a steady state. Equations: Allen (2007), §4.3.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "delos/field/fusion.h"
+#include "delos/model/metric.h"
+
+namespace delos {
+
+/// What must be solved for a metric.
+enum class MetricNeed {
+  nothing,        ///< coverage: which devices see the target
+  pose_block,     ///< the pose's covariance alone
+  whole_state,    ///< P∞
+  time_constant,  ///< P∞ and the closed loop's slowest pole
+};
+[[nodiscard]] MetricNeed need_of(const Metric& metric, const StateLayout& layout);
+
+/// A metric of the pose covariance alone, d×d.
+/// @pre need_of(metric) == MetricNeed::pose_block
+[[nodiscard]] double pose_metric(const Metric& metric, const StateLayout& layout,
+                                 const CoordinateMatrix& P);
+
+/// Any metric but coverage of a state. +∞ where it reads a direction that isn't observed.
+[[nodiscard]] double state_metric(const Metric& metric, const StateLayout& layout,
+                                  const FusedState& state, CovarianceKind kind);
+
+}  // namespace delos

@@ -1,0 +1,61 @@
+#include "delos/field/system.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace delos {
+namespace {
+
+Fusion default_fusion(const Scene& scene) {
+  const bool one_rate = std::all_of(
+      scene.devices.begin(), scene.devices.end(),
+      [&](const DeviceEntry& d) { return d.rate == scene.devices.front().rate; });
+  return one_rate ? Fusion::stacked : Fusion::continuous;
+}
+
+std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
+                                    const DeviceEntry& entry) {
+  if (!previous || index >= previous->devices.size()) return nullptr;
+  const PlacedDevice& old = previous->devices[index];
+  return old.type == entry.type && old.params == entry.params ? old.device : nullptr;
+}
+
+}  // namespace
+
+System build_system(const Scene& scene, PluginRegistry& plugins, const System* previous) {
+  System system;
+  system.motion = scene.motion;
+  system.fusion = scene.fusion.value_or(default_fusion(scene));
+  system.covariance = scene.covariance;
+  system.markers = scene.markers;
+  system.devices.reserve(scene.devices.size());
+  for (const DeviceEntry& entry : scene.devices) {
+    PlacedDevice placed;
+    placed.name = entry.name;
+    placed.type = entry.type;
+    placed.params = entry.params;
+    placed.device = reuse(previous, system.devices.size(), entry);
+    if (!placed.device) {
+      const PluginLoad& plugin = plugins.find(entry.type);
+      if (!plugin.info) throw std::runtime_error(plugin.error);
+      placed.device = make_device(*plugin.info, entry.params);
+    }
+    placed.X_WS = device_pose(scene, entry);
+    placed.period = 1 / entry.rate;
+    placed.phase = entry.phase;
+    system.devices.push_back(std::move(placed));
+  }
+  return system;
+}
+
+int information_size(const System& system) {
+  const StateLayout& layout = system.motion.layout;
+  const bool pose_alone =
+      std::all_of(system.devices.begin(), system.devices.end(), [](const PlacedDevice& d) {
+        const Span span = d.device->span();
+        return span == Span::point || span == Span::pose;
+      });
+  return pose_alone ? layout.coordinates() : layout.size();
+}
+
+}  // namespace delos
