@@ -33,6 +33,14 @@ std::optional<Fraction> as_fraction(double x) {
   return std::nullopt;
 }
 
+/// Least common multiple; nullopt above a bound that no short cycle reaches.
+std::optional<std::int64_t> short_lcm(std::int64_t a, std::int64_t b) {
+  constexpr std::int64_t kBound = std::int64_t{1} << 52;
+  const std::int64_t factor = b / std::gcd(a, b);
+  if (a > kBound / factor) return std::nullopt;
+  return a * factor;
+}
+
 std::string too_long() {
   return "fusion: the devices' rates repeat only after more than " +
          std::to_string(kMaxCycle) +
@@ -48,14 +56,17 @@ std::variant<std::vector<UpdateSlot>, std::string> periodic(const System& system
     const std::optional<Fraction> f = as_fraction(d.period / unit);
     if (!f) return too_long();
     ratio.push_back(*f);
-    ticks_per_unit = std::lcm(ticks_per_unit, f->denominator);
-    if (ticks_per_unit > 1'000'000'000) return too_long();
+    const auto ticks = short_lcm(ticks_per_unit, f->denominator);
+    if (!ticks || *ticks > 1'000'000'000) return too_long();
+    ticks_per_unit = *ticks;
   }
   std::vector<std::int64_t> period;
   std::int64_t cycle = 1;
   for (const Fraction& f : ratio) {
     period.push_back(f.numerator * (ticks_per_unit / f.denominator));
-    cycle = std::lcm(cycle, period.back());
+    const auto common = short_lcm(cycle, period.back());
+    if (!common) return too_long();
+    cycle = *common;
     if (cycle / *std::min_element(period.begin(), period.end()) > kMaxCycle) {
       return too_long();
     }

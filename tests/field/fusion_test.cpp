@@ -1,0 +1,256 @@
+// Fusion at the level of systems: the modes, the paths and what no device sees.
+#include "delos/field/fusion.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <stdexcept>
+
+#include "support/rigs.h"
+
+namespace delos {
+namespace {
+
+using testing::state_at;
+using testing::TestLinear;
+
+double smallest_eigenvalue(const StateMatrix& m) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m).eigenvalues()(0);
+}
+
+/// Three coordinates measured directly by devices of the given (period, variance).
+System direct_system(const std::vector<std::pair<double, double>>& devices, double q) {
+  System system;
+  system.motion =
+      testing::chain_motion(PoseState::position, 2, q * Eigen::Matrix3d::Identity());
+  system.markers = {Eigen::Vector3d::Zero()};
+  for (const auto& [period, variance] : devices) {
+    const Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
+    system.devices.push_back(testing::place(
+        "d", std::make_shared<TestLinear>(Span::point, H, variance * H), Pose{},
+        1 / period));
+    system.devices.back().period = period;
+  }
+  return system;
+}
+
+double millimetres(double variance) { return 1000 * std::sqrt(variance); }
+
+struct FusionRow {
+  std::vector<std::pair<double, double>> devices;  // period [s], variance [m²]
+  double artemis, continuous, average, worst, best;  // standard deviations, mm
+};
+
+// Source of the numbers: an explicit filter recursion, 1-D PV with q = 0.3 m²/s³; the table
+// of docs/theory.md, "Several devices, several rates", to its printed digits.
+class FusionTable : public ::testing::TestWithParam<FusionRow> {};
+
+TEST_P(FusionTable, IsReproduced) {
+  const FusionRow& row = GetParam();
+  System system = direct_system(row.devices, 0.3);
+
+  system.fusion = Fusion::artemis;
+  EXPECT_NEAR(millimetres(state_at(system, {}).prior(0, 0)), row.artemis, 5.1e-5);
+  system.fusion = Fusion::continuous;
+  EXPECT_NEAR(millimetres(state_at(system, {}).prior(0, 0)), row.continuous, 5.1e-5);
+  system.fusion = Fusion::periodic;
+  const FusedState periodic = state_at(system, {});
+  EXPECT_NEAR(millimetres(periodic.prior(0, 0)), row.average, 5.1e-5);
+  EXPECT_EQ(periodic.prior, periodic.posterior);
+  EXPECT_NEAR(millimetres(periodic.worst_prior(0, 0)), row.worst, 5.1e-5);
+  EXPECT_NEAR(millimetres(periodic.best_posterior(0, 0)), row.best, 5.1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, FusionTable,
+    ::testing::Values(
+        FusionRow{{{0.02, 1e-3}, {0.02, 1e-3}}, 19.1714, 13.6426, 13.8003, 15.0164, 12.4662},
+        FusionRow{{{0.02, 1e-3}, {0.05, 1e-4}}, 14.9139, 9.6754, 10.1205, 12.7200, 7.6292},
+        FusionRow{{{0.001, 1e-6}, {0.033, 1e-5}}, 1.6885, 0.4309, 0.4322, 0.4523, 0.4086}));
+
+TEST(Fusion, StackedIsTheWorstPriorOfEqualRates) {
+  System system = direct_system({{0.02, 1e-3}, {0.02, 1e-3}}, 0.3);
+  system.fusion = Fusion::stacked;
+  EXPECT_NEAR(millimetres(state_at(system, {}).prior(0, 0)), 15.0164, 5.1e-5);
+}
+
+// One device per update that measures everything, in turns of equal length, is one device
+// at that rate: the sequential cycle of two equal devices equals the stacked one of one.
+TEST(Fusion, SequentialTurnsOfEqualDevicesAreOneDevice) {
+  System turns = direct_system({{0.02, 1e-3}, {0.02, 1e-3}}, 0.3);
+  turns.fusion = Fusion::sequential;
+  const FusedState a = state_at(turns, {});
+  const FusedState b = state_at(direct_system({{0.02, 1e-3}}, 0.3), {});
+  EXPECT_LT((a.prior - b.prior).norm(), 1e-12 * b.prior.norm());
+  EXPECT_LT((a.posterior - b.posterior).norm(), 1e-12 * b.posterior.norm());
+  // The cycle's pole is squared over twice the time: the same time constant.
+  EXPECT_NEAR(a.time_constant, b.time_constant, 1e-9 * b.time_constant);
+}
+
+TEST(Fusion, AllSolversAgreeOnTheAcousticTracker) {
+  const System system = testing::acoustic_system();
+  for (const double z : {0.0, 0.3, 0.8}) {
+    const TargetPose pose{Eigen::Matrix3d::Identity(), {0.1, 0.3, z}};
+    const FusedState a = state_at(system, pose, Solver::spectral);
+    const FusedState b = state_at(system, pose, Solver::doubling);
+    const FusedState c = state_at(system, pose, Solver::eigenvector);
+    EXPECT_LT((a.prior - b.prior).norm(), 1e-11 * b.prior.norm());
+    EXPECT_LT((a.posterior - b.posterior).norm(), 1e-11 * b.posterior.norm());
+    EXPECT_LT((a.prior - c.prior).norm(), 1e-9 * b.prior.norm());
+    EXPECT_NEAR(a.time_constant, b.time_constant, 1e-8 * b.time_constant);
+  }
+}
+
+TEST(Fusion, OneMoreDeviceNeverHurts) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 0.4);
+  for (int i = 0; i < 50; ++i) {
+    System system = testing::acoustic_system();
+    const TargetPose pose{Eigen::Matrix3d::Identity(),
+                          {uniform(random), uniform(random), 2 * uniform(random)}};
+    const StateMatrix before = state_at(system, pose).prior;
+    system.devices.push_back(testing::place(
+        "more", std::make_shared<testing::TestRange>(0.02),
+        {Eigen::Matrix3d::Identity(), {1, uniform(random), uniform(random)}}, 50));
+    const StateMatrix after = state_at(system, pose).prior;
+    EXPECT_GE(smallest_eigenvalue(before - after), -1e-12 * before.norm());
+    EXPECT_LT(after.trace(), before.trace());
+  }
+}
+
+/// Acts with G on every 3-block of the state.
+StateMatrix congruent(const StateMatrix& P, const Eigen::Matrix3d& G) {
+  StateMatrix B = StateMatrix::Zero(P.rows(), P.cols());
+  for (Eigen::Index i = 0; i < P.rows(); i += 3) B.block<3, 3>(i, i) = G;
+  return B * P * B.transpose();
+}
+
+TEST(Fusion, RotatingTheWholeSceneRotatesP) {
+  std::mt19937_64 random(11);
+  const System system = testing::acoustic_system();
+  const TargetPose pose{Eigen::Matrix3d::Identity(), {0.05, 0.31, 0.4}};
+  const FusedState still = state_at(system, pose);
+  for (int i = 0; i < 20; ++i) {
+    const Pose turn{testing::random_rotation(random), {1, -2, 3}};
+    System turned = system;
+    auto& q = std::get<ChainMotion>(turned.motion.dynamics).q;
+    q = (turn.R * q * turn.R.transpose()).eval();
+    for (PlacedDevice& d : turned.devices) d.X_WS = turn * d.X_WS;
+    const FusedState moved = state_at(turned, turn * pose);
+    const StateMatrix expected = congruent(still.prior, turn.R);
+    EXPECT_LT((moved.prior - expected).norm(), 1e-11 * expected.norm());
+  }
+}
+
+TEST(Fusion, ScalingEveryNoiseScalesP) {
+  System system = testing::acoustic_system();
+  const TargetPose pose{Eigen::Matrix3d::Identity(), {0.1, 0.2, 0.3}};
+  const StateMatrix before = state_at(system, pose).prior;
+  const double factor = 37;
+  std::get<ChainMotion>(system.motion.dynamics).q *= factor;
+  for (PlacedDevice& d : system.devices) {
+    d.device = std::make_shared<testing::TestRange>(0.005 * factor);
+  }
+  const StateMatrix after = state_at(system, pose).prior;
+  EXPECT_LT((after - factor * before).norm(), 1e-12 * after.norm());
+}
+
+// Two ranges leave the direction perpendicular to their plane unseen. The plane's own
+// finite values are those of the two-dimensional problem, solved here by doubling.
+TEST(Fusion, NamesTheLostDirectionAndKeepsTheRest) {
+  System system = testing::acoustic_system();
+  system.devices = {testing::place("a", std::make_shared<testing::TestRange>(0.005),
+                                   {Eigen::Matrix3d::Identity(), {1, 0, 0}}, 50),
+                    testing::place("b", std::make_shared<testing::TestRange>(0.005),
+                                   {Eigen::Matrix3d::Identity(), {0, 0, 1}}, 50)};
+  for (const Solver solver : {Solver::spectral, Solver::doubling}) {
+    const FusedState state = state_at(system, {}, solver);
+    ASSERT_EQ(state.status, RiccatiStatus::unobservable);
+    ASSERT_EQ(state.unobservable.cols(), 2);  // y and its velocity
+    StateMatrix projector = state.unobservable * state.unobservable.transpose();
+    StateMatrix expected = StateMatrix::Zero(6, 6);
+    expected(1, 1) = expected(4, 4) = 1;
+    EXPECT_LT((projector - expected).norm(), 1e-12);
+
+    // x alone: z = x with R = 0.005 m², q = 0.3951529079.
+    MotionModel one = testing::chain_motion(
+        PoseState::position, 2, 0.3951529079 * Eigen::Matrix3d::Identity());
+    System x_alone = direct_system({{0.02, 0.005}}, 0.3951529079);
+    x_alone.motion = one;
+    const FusedState reference = state_at(x_alone, {}, Solver::doubling);
+    EXPECT_NEAR(state.prior(0, 0), reference.prior(0, 0), 1e-11);
+    EXPECT_NEAR(state.prior(0, 3), reference.prior(0, 3), 1e-11);
+    EXPECT_NEAR(state.prior(3, 3), reference.prior(3, 3), 1e-10);
+    EXPECT_EQ(state.prior(1, 1), 0) << "the projected part carries no lost direction";
+  }
+}
+
+// R = 0 in one of three directions: the limit of R → 0, and no variance after an update.
+TEST(Fusion, APerfectMeasurementIsSolvedByTheGeneralPath) {
+  const auto system_with = [](double r) {
+    System system = testing::acoustic_system();
+    Eigen::Matrix3d R = 0.01 * Eigen::Matrix3d::Identity();
+    R(1, 1) = r;
+    system.devices = {testing::place(
+        "exact", std::make_shared<TestLinear>(Span::point, Eigen::Matrix3d::Identity(), R),
+        Pose{}, 50)};
+    return system;
+  };
+  const FusedState exact = state_at(system_with(0), {});
+  const FusedState nearly = state_at(system_with(1e-13), {});
+  ASSERT_EQ(exact.status, RiccatiStatus::converged);
+  EXPECT_NEAR(exact.posterior(1, 1), 0, 1e-18);
+  EXPECT_LT((exact.prior - nearly.prior).norm(), 1e-5 * exact.prior.norm());
+  EXPECT_LT((exact.prior.block<1, 1>(0, 0) - nearly.prior.block<1, 1>(0, 0)).norm(), 1e-15);
+
+  // Measured all the time without noise, the direction and its velocity are known.
+  System continuous = system_with(0);
+  continuous.fusion = Fusion::continuous;
+  const FusedState pinned = state_at(continuous, {});
+  ASSERT_EQ(pinned.status, RiccatiStatus::converged);
+  EXPECT_NEAR(pinned.prior(1, 1), 0, 1e-18);
+  EXPECT_NEAR(pinned.prior(4, 4), 0, 1e-18);
+  System rest = system_with(1e-30);
+  rest.fusion = Fusion::continuous;
+  EXPECT_NEAR(pinned.prior(0, 0), state_at(rest, {}).prior(0, 0), 1e-12);
+}
+
+TEST(Fusion, ASolverThatCannotDoTheSystemSaysWhatWould) {
+  System system = testing::acoustic_system();
+  system.fusion = Fusion::artemis;
+  EXPECT_THROW(FusionSolver(system, Solver::spectral), std::invalid_argument);
+  EXPECT_THROW(FusionSolver(system, Solver::doubling), std::invalid_argument);
+  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::eigenvector);
+  system.fusion = Fusion::continuous;
+  EXPECT_THROW(FusionSolver(system, Solver::eigenvector), std::invalid_argument);
+  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::spectral);
+  system.fusion = Fusion::periodic;
+  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::doubling);
+}
+
+// A gyroscope measures ω, not the pose: the general path takes over, and improves the
+// velocity that a marker's position alone gives.
+TEST(Fusion, DerivativeMeasurementsTakeTheGeneralPath) {
+  System system = testing::acoustic_system();
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(3, 18);
+  H.middleCols(6, 3).setIdentity();
+  const FusedState without = state_at(system, {});
+  system.devices.push_back(testing::place(
+      "speed",
+      std::make_shared<TestLinear>(Span::motion, H, 1e-4 * Eigen::Matrix3d::Identity()),
+      {rotation_from_rpy({0.3, 0.2, 0.1}), {0, 0, 0}}, 50));
+  EXPECT_EQ(information_size(system), 6);
+  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::doubling);
+  const FusedState with = state_at(system, {});
+  ASSERT_EQ(with.status, RiccatiStatus::converged);
+  EXPECT_GE(smallest_eigenvalue(without.prior - with.prior), -1e-12);
+  EXPECT_LT(with.prior(3, 3), 0.2 * without.prior(3, 3));
+  // Isotropic noise looks the same from any mounting.
+  system.devices.back().X_WS.R.setIdentity();
+  const FusedState upright = state_at(system, {});
+  EXPECT_LT((upright.prior - with.prior).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace delos

@@ -1,0 +1,141 @@
+// Layers: what is recomputed, and that an updated set equals a fresh one bit for bit.
+#include "delos/field/layers.h"
+
+#include <gtest/gtest.h>
+
+#include "support/rigs.h"
+
+namespace delos {
+namespace {
+
+using testing::acoustic_system;
+
+/// Twenty range devices about a room; the last ones don't reach everywhere.
+System many_devices() {
+  System system = acoustic_system();
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < 16; ++i) {
+    system.devices.push_back(testing::place(
+        "extra", std::make_shared<testing::TestRange>(0.01, 1.2),
+        {Eigen::Matrix3d::Identity(), {uniform(random), uniform(random), uniform(random)}},
+        50));
+  }
+  return system;
+}
+
+std::vector<TargetPose> grid_poses() {
+  return field_poses(testing::volume({0, 0, 0}, {0.4, 0.4, 0.8}, 0.05), {});
+}
+
+void expect_same(const InformationLayers& a, const InformationLayers& b) {
+  LayerBlock sa, sb;
+  ASSERT_EQ(a.block_count(), b.block_count());
+  for (std::size_t i = 0; i < a.block_count(); ++i) {
+    const LayerBlock& x = a.block(i, sa);
+    const LayerBlock& y = b.block(i, sb);
+    ASSERT_EQ(x.total, y.total) << "block " << i;
+    ASSERT_EQ(x.layers, y.layers) << "block " << i;
+    ASSERT_EQ(x.seen, y.seen) << "block " << i;
+  }
+}
+
+TEST(Layers, AMovedDeviceRecomputesOneLayerToTheSameBytes) {
+  System system = many_devices();
+  InformationLayers layers(system, grid_poses());
+  ASSERT_TRUE(layers.kept());
+  system.devices[9].X_WS.p.x() += 0.125;
+  EXPECT_EQ(layers.update(system), 1u);
+  expect_same(layers, InformationLayers(system, grid_poses()));
+}
+
+TEST(Layers, MotionMetricAndRateRecomputeNoDevice) {
+  System system = many_devices();
+  InformationLayers layers(system, grid_poses());
+  system.motion = testing::chain_motion(PoseState::position, 3,
+                                        Eigen::Matrix3d::Identity() * 0.1);
+  EXPECT_EQ(layers.update(system), 0u);
+  system.fusion = Fusion::continuous;
+  system.devices[3].period = 0.005;
+  EXPECT_EQ(layers.update(system), 0u);
+  expect_same(layers, InformationLayers(system, grid_poses()));
+}
+
+TEST(Layers, AnAddedDeviceOrMarkerRebuilds) {
+  System system = many_devices();
+  InformationLayers layers(system, grid_poses());
+  system.devices.push_back(system.devices.front());
+  EXPECT_EQ(layers.update(system), system.devices.size());
+  system.markers.emplace_back(0.1, 0, 0);
+  EXPECT_EQ(layers.update(system), system.devices.size());
+  expect_same(layers, InformationLayers(system, grid_poses()));
+}
+
+TEST(Layers, BeyondTheMemoryLimitTheyAreRecomputedToTheSameBytes) {
+  const System system = many_devices();
+  const InformationLayers kept(system, grid_poses());
+  const InformationLayers recomputed(system, grid_poses(),
+                                     {.memory_limit = kept.bytes() - 1});
+  EXPECT_TRUE(kept.kept());
+  EXPECT_FALSE(recomputed.kept());
+  expect_same(kept, recomputed);
+}
+
+// 20 devices, 3 groups and a total of 6 numbers over 64 lanes, and two words a device.
+TEST(Layers, StateTheirMemory) {
+  const System system = many_devices();
+  const std::vector<TargetPose> poses(64 * 3 + 1);
+  const InformationLayers layers(system, poses, {.memory_limit = 0});
+  EXPECT_EQ(layers.block_count(), 4u);
+  EXPECT_EQ(layers.bytes(), 4u * ((20 + 3 + 1) * 6 * 64 * 8 + 2 * 20 * 8));
+}
+
+TEST(Layers, WhitenedRowsSquareToTheInformation) {
+  const System system = many_devices();
+  const TargetPose pose{Eigen::Matrix3d::Identity(), {0.1, 0.2, 0.3}};
+  const WhitenedRows w = whitened_rows(system, pose);
+  const Eigen::Matrix3d S = w.rows.transpose() * w.rows;
+  LayerBlock scratch;
+  const InformationLayers layers(system, {pose});
+  const LayerBlock& block = layers.block(0, scratch);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      EXPECT_NEAR(block.total[static_cast<std::size_t>(packed_index(i, j) * kLanes)],
+                  S(i, j), 1e-12 * S.norm());
+    }
+  }
+}
+
+// A marker on an arm turns with the target: δz = H (δp + δθ × R m). By differences of the
+// range itself.
+TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
+  System system;
+  system.motion =
+      testing::chain_motion(PoseState::pose, 1, CoordinateMatrix::Identity(6, 6));
+  system.markers = {{0.3, -0.1, 0.2}};
+  const Pose X_WS{rotation_from_rpy({0.3, -0.2, 0.5}), {1, 2, 3}};
+  system.devices = {testing::place("r", std::make_shared<testing::TestRange>(0.005), X_WS,
+                                   50)};
+  const TargetPose pose{rotation_from_rpy({0.4, 0.1, -0.7}), {0.2, 0.1, -0.3}};
+  const auto range = [&](const Eigen::Vector3d& dp, const Eigen::Vector3d& dtheta) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(dtheta.norm(), dtheta.norm() > 0 ? dtheta.normalized()
+                                                           : Eigen::Vector3d::UnitX())
+            .toRotationMatrix();
+    return (pose.p + dp + turn * pose.R * system.markers[0] - X_WS.p).norm();
+  };
+  const double h = 1e-5, z = range({0, 0, 0}, {0, 0, 0});
+  const WhitenedRows w = whitened_rows(system, pose);
+  ASSERT_EQ(w.rows.rows(), 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(axis), none(0, 0, 0);
+    const double scale = 1 / std::sqrt(0.005 * z * z);
+    EXPECT_NEAR(w.rows(0, axis), scale * (range(step, none) - range(-step, none)) / (2 * h),
+                1e-7);
+    EXPECT_NEAR(w.rows(0, 3 + axis),
+                scale * (range(none, step) - range(none, -step)) / (2 * h), 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace delos
