@@ -1,0 +1,41 @@
+// Names and units of the state vector.
+#include "delos/model/state.h"
+
+#include <array>
+
+namespace delos {
+namespace {
+
+/// Calls visit(derivative, coordinate) in the order of the state vector; coordinates
+/// count from 0, x, to 5, yaw.
+template <class Visit>
+void for_each_chain_state(const StateLayout& layout, Visit visit) {
+  const int first = layout.positions() == 0 ? 3 : 0;
+  for (int derivative = 0; derivative < layout.order; ++derivative)
+    for (int i = 0; i < layout.coordinates(); ++i) visit(derivative, first + i);
+}
+
+}  // namespace
+
+std::vector<std::string> StateLayout::names() const {
+  static constexpr std::array kPrefixes{"", "v", "a"};
+  static constexpr std::array kCoordinates{"x", "y", "z", "roll", "pitch", "yaw"};
+  std::vector<std::string> names;
+  for_each_chain_state(*this, [&](int derivative, int coordinate) {
+    names.push_back(std::string(kPrefixes[derivative]) + kCoordinates[coordinate]);
+  });
+  names.insert(names.end(), extra.begin(), extra.end());
+  return names;
+}
+
+std::vector<std::string> StateLayout::units() const {
+  static constexpr std::array kSuffixes{"", "/s", "/s^2"};
+  std::vector<std::string> units;
+  for_each_chain_state(*this, [&](int derivative, int coordinate) {
+    units.push_back(std::string(coordinate < 3 ? "m" : "rad") + kSuffixes[derivative]);
+  });
+  units.insert(units.end(), extra.size(), "1");
+  return units;
+}
+
+}  // namespace delos

@@ -1,0 +1,95 @@
+// The exact spectral reduction: forms and covariances.
+#include "delos/riccati/spectral.h"
+
+#include <limits>
+
+#include "riccati/chain_terms.h"
+#include "riccati/directions.h"
+#include "riccati/dispatch.h"
+#include "riccati/jacobi.h"
+
+namespace delos {
+namespace {
+
+using riccati::chain_values;
+using riccati::fixed;
+using riccati::Square;
+
+template <int kSize>
+SpectralForm reduce(const CoordinateMatrix& L, const CoordinateMatrix& S) {
+  constexpr double kEps = std::numeric_limits<double>::epsilon();
+  const auto factor = fixed<kSize>(L);
+  const Square<kSize> M = factor.transpose() * (fixed<kSize>(S) * factor).eval();
+  const auto eigen = riccati::jacobi_eigen<kSize>(M);
+
+  SpectralForm form;
+  form.lambda = eigen.lambda;
+  form.LU = factor * eigen.U;
+  const double least = 16 * kSize * kEps * eigen.lambda[kSize - 1];
+  // "not above" also takes S = 0, and a matrix of NaNs.
+  while (form.unobservable < kSize && !(form.lambda[form.unobservable] > least))
+    form.lambda[form.unobservable++] = 0;
+  return form;
+}
+
+/// Σ_a f(λ_a) v_a v_aᵀ for every block; P is K×K blocks of d×d.
+template <int kSize, int kOrder>
+StateMatrix covariance(const SpectralForm& form, const Sampling& sampling,
+                       CovarianceKind kind) {
+  const Square<kSize> V = riccati::observed_directions<kSize>(form);
+  StateMatrix P = StateMatrix::Zero(kSize * kOrder, kSize * kOrder);
+  for (int a = form.unobservable; a < kSize; ++a) {
+    const auto f = chain_values<kOrder, false>(sampling, form.lambda[a], kind);
+    const Square<kSize> outer = V.col(a) * V.col(a).transpose();
+    for (int i = 0, entry = 0; i < kOrder; ++i)
+      for (int j = i; j < kOrder; ++j, ++entry)
+        P.block<kSize, kSize>(i * kSize, j * kSize) += f.value[entry] * outer;
+  }
+  // Each block is symmetric, and so is the matrix of blocks.
+  for (int i = 1; i < kOrder; ++i)
+    for (int j = 0; j < i; ++j)
+      P.block<kSize, kSize>(i * kSize, j * kSize) =
+          P.block<kSize, kSize>(j * kSize, i * kSize);
+  return P;
+}
+
+template <int kSize, int kOrder>
+CoordinateMatrix pose_covariance(const SpectralForm& form, const Sampling& sampling,
+                                 CovarianceKind kind) {
+  const Square<kSize> V = riccati::observed_directions<kSize>(form);
+  Square<kSize> P = Square<kSize>::Zero();
+  for (int a = form.unobservable; a < kSize; ++a) {
+    const double f =
+        chain_values<kOrder, false>(sampling, form.lambda[a], kind).value[0];
+    P += f * V.col(a) * V.col(a).transpose();
+  }
+  return P;
+}
+
+}  // namespace
+
+SpectralForm spectral_form(const CoordinateMatrix& L, const CoordinateMatrix& S) {
+  return riccati::with_coordinates(S.rows(),
+                                   [&]<int kSize>() { return reduce<kSize>(L, S); });
+}
+
+StateMatrix spectral_covariance(const SpectralForm& form, int order,
+                                const Sampling& sampling, CovarianceKind kind) {
+  return riccati::with_coordinates(form.LU.rows(), [&]<int kSize>() {
+    return riccati::with_order(order, [&]<int kOrder>() {
+      return covariance<kSize, kOrder>(form, sampling, kind);
+    });
+  });
+}
+
+CoordinateMatrix spectral_pose_covariance(const SpectralForm& form, int order,
+                                          const Sampling& sampling,
+                                          CovarianceKind kind) {
+  return riccati::with_coordinates(form.LU.rows(), [&]<int kSize>() {
+    return riccati::with_order(order, [&]<int kOrder>() {
+      return pose_covariance<kSize, kOrder>(form, sampling, kind);
+    });
+  });
+}
+
+}  // namespace delos
