@@ -1,13 +1,20 @@
 # delos_add_device(<id> <sources>...)
-#   Build <sources> into the loadable device plugin <id>.so and put it where the kernel
-#   looks for plugins. The contract tests that every device obeys run on all of them.
+#   Build <sources> into the loadable device plugin <id>.so and put it into lib/delos of the
+#   build tree; installed, it goes to lib/delos too. That is where the kernel of the same
+#   tree looks; of others, DELOS_PLUGIN_PATH tells it. The contract tests that every device
+#   obeys run on all of them.
+include(GNUInstallDirs)
+
 function(delos_add_device id)
   add_library(delos_device_${id} MODULE ${ARGN})
   target_link_libraries(delos_device_${id} PRIVATE delos::kernel)
+  # As the kernel is built: no fused operations, which differ by machine.
+  target_compile_options(delos_device_${id} PRIVATE -ffp-contract=off)
   set_target_properties(delos_device_${id} PROPERTIES
     OUTPUT_NAME ${id} PREFIX ""
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/delos)
   target_link_options(delos_device_${id} PRIVATE LINKER:--no-undefined)
+  install(TARGETS delos_device_${id} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/delos)
   set_property(GLOBAL APPEND PROPERTY DELOS_DEVICES ${id})
 endfunction()

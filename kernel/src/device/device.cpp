@@ -1,0 +1,9 @@
+#include "delos/device/device.h"
+
+namespace delos {
+
+// The first virtual function outside the class: it keeps one type record of Device in
+// the kernel's library, whatever plugins are open.
+Device::~Device() = default;
+
+}  // namespace delos

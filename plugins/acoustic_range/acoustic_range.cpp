@@ -1,0 +1,48 @@
+// A speaker that a microphone on the target hears: it measures the distance between
+// them.
+//
+//   z = ‖p‖ + v,   v ~ N(0, R),   R = r z²,   ∂z/∂p = pᵀ/‖p‖
+//
+// p is the microphone in the speaker's frame. Source: Allen & Welch (2005), "A general
+// method for comparing the expected performance of tracking and motion capture
+// systems", VRST '05, §2.1.2 (measurement) and §3.2 (noise).
+#include <delos/plugin.h>
+
+namespace {
+
+class AcousticRange final : public delos::Device {
+ public:
+  static constexpr delos::ParamSpec kParams[] = {
+      {.name = "r",
+       .initial = 0.005,
+       .lower = 0,
+       .help = "Variance of the range relative to its square; 0 is a perfect range."},
+      {.name = "reach",
+       .unit = "m",
+       .initial = 1e6,
+       .lower = 0,
+       .help = "Farthest microphone that is heard; the default hears all."},
+  };
+
+  explicit AcousticRange(const delos::ParamValues& p)
+      : r_(p["r"]), reach_(p["reach"]) {}
+
+  bool observe(const delos::Target& target, delos::Observation& out) const override {
+    const double range = target.p_ST.norm();
+    // At the speaker itself the range has no direction, hence no derivative.
+    if (range == 0 || range > reach_) return false;
+    out.z.setConstant(1, range);
+    out.H = target.p_ST.transpose() / range;
+    out.R.setConstant(1, 1, r_ * range * range);
+    return true;
+  }
+
+ private:
+  double r_;      // dimensionless
+  double reach_;  // m
+};
+
+}  // namespace
+
+DELOS_DEVICE_PLUGIN(AcousticRange, "acoustic_range", "1.0.0",
+                    "Range from a speaker to a microphone, noise growing with range.");

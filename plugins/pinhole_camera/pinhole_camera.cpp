@@ -1,0 +1,117 @@
+// A camera that sees a point: where it lies on the image, in normalised coordinates.
+//
+//   u = x/z + v_u,   v = y/z + v_v      x right, y down, z forward along the optical
+//   axis
+//
+//   ∂(u, v)/∂(x, y, z) = 1/z ⎡ 1  0  −u ⎤
+//                            ⎣ 0  1  −v ⎦
+//
+//   noise: pixels     R = (sigma pitch / focal)² I     centroiding, the same anywhere
+//   noise: distance   R = r d² I,  d = ‖(x, y, z)‖     signal that fades with distance
+//
+// Seen where near ≤ z ≤ far, |u| ≤ w pitch / (2 focal) and |v| ≤ h pitch / (2 focal).
+// Source: Allen & Welch (2005), "A general method for comparing the expected
+// performance of tracking and motion capture systems", VRST '05, §3.3.
+#include <delos/plugin.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+class PinholeCamera final : public delos::Device {
+ public:
+  static constexpr delos::ParamSpec kParams[] = {
+      {.name = "focal",
+       .unit = "m",
+       .lower = 1e-4,
+       .upper = 10,
+       .scale = delos::ParamScale::log,
+       .help = "Focal length of the lens."},
+      {.name = "pitch",
+       .unit = "m",
+       .lower = 1e-7,
+       .upper = 1e-3,
+       .scale = delos::ParamScale::log,
+       .help = "Width of a pixel, which is square."},
+      {.name = "resolution",
+       .kind = delos::ParamKind::vector,
+       .unit = "px",
+       .lower = 1,
+       .length = 2,
+       .help = "Width and height of the image."},
+      {.name = "near",
+       .unit = "m",
+       .initial = 0.05,
+       .lower = 1e-6,
+       .help = "Least depth along the optical axis that is seen."},
+      {.name = "far",
+       .unit = "m",
+       .initial = 100,
+       .lower = 1e-6,
+       .help = "Greatest depth along the optical axis that is seen."},
+      {.name = "noise",
+       .kind = delos::ParamKind::choice,
+       .text = "pixels",
+       .choices = "pixels|distance",
+       .help = "Whether the noise is constant on the image or grows with distance."},
+      {.name = "sigma",
+       .unit = "px",
+       .initial = 0.1,
+       .lower = 0,
+       .help = "Standard deviation of a coordinate of a centroid, for noise: pixels."},
+      {.name = "r",
+       .unit = "1/m^2",
+       .initial = 0,
+       .lower = 0,
+       .help =
+           "Variance of u and of v at one metre, for noise: distance; 0 is perfect."},
+  };
+
+  explicit PinholeCamera(const delos::ParamValues& p)
+      : near_(p["near"]), far_(p["far"]) {
+    const double pixel = p["pitch"] / p["focal"];  // in normalised coordinates
+    const Eigen::MatrixXd& resolution = p.matrix("resolution");
+    if (near_ >= far_) throw std::invalid_argument("near must be less than far");
+    if (resolution.size() != 2 || !(resolution.array() > 0).all()) {
+      throw std::invalid_argument("resolution must be a width and a height above 0");
+    }
+    u_max_ = resolution(0) * pixel / 2;
+    v_max_ = resolution(1) * pixel / 2;
+    if (p.choice("noise") == "pixels") {
+      constant_ = p["sigma"] * pixel * p["sigma"] * pixel;
+    } else {
+      growing_ = p["r"];
+    }
+  }
+
+  bool observe(const delos::Target& target, delos::Observation& out) const override {
+    const double z = target.p_ST.z();
+    if (!(z >= near_ && z <= far_)) return false;
+    const double u = target.p_ST.x() / z;
+    const double v = target.p_ST.y() / z;
+    if (std::abs(u) > u_max_ || std::abs(v) > v_max_) return false;
+
+    out.z.resize(2);
+    out.z << u, v;
+    out.H.resize(2, 3);
+    out.H << 1 / z, 0, -u / z,  //
+        0, 1 / z, -v / z;
+    const double variance = constant_ + growing_ * target.p_ST.squaredNorm();
+    out.R.resize(2, 2);
+    out.R << variance, 0,  //
+        0, variance;
+    return true;
+  }
+
+ private:
+  double near_, far_;     // m
+  double u_max_, v_max_;  // half the image, normalised
+  double constant_ = 0;   // normalised, squared
+  double growing_ = 0;    // normalised, squared, 1/m²
+};
+
+}  // namespace
+
+DELOS_DEVICE_PLUGIN(PinholeCamera, "pinhole_camera", "1.0.0",
+                    "Camera with a pinhole lens that sees points on its image.");

@@ -1,0 +1,243 @@
+// What every device owes the kernel, on all devices of the build and of the plugin
+// folders.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "device/devices.h"
+#include "device/heap_count.h"
+
+namespace delos::test {
+namespace {
+
+struct Case {
+  std::string id;
+  std::string yaml;
+};
+
+void PrintTo(const Case& c, std::ostream* os) { *os << c.id << " " << c.yaml; }
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const std::string& id : all_ids()) {
+    for (const std::string& yaml : examples(id)) all.push_back({id, yaml});
+  }
+  return all;
+}
+
+int columns(const Device& device) {
+  switch (device.span()) {
+    case Span::point:
+      return 3;
+    case Span::pose:
+      return 6;
+    case Span::motion:
+      return 18;
+    case Span::state:
+      return device.state_size();
+  }
+  return 0;
+}
+
+/// Targets on all sides, 5 cm to 50 m away, turned, moving and off the linearisation.
+std::vector<Target> cloud(const Device& device, int size) {
+  std::mt19937_64 random(20240607);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> decades(std::log(0.05), std::log(50));
+  const auto vector = [&](int n) -> Eigen::VectorXd {
+    return Eigen::VectorXd::NullaryExpr(n, [&] { return normal(random); });
+  };
+  std::vector<Target> targets(size);
+  for (Target& t : targets) {
+    t.p_ST = vector(3).normalized() * std::exp(decades(random));
+    t.R_ST = Eigen::Quaterniond(Eigen::Vector4d(vector(4).normalized())).matrix();
+    t.velocity = vector(6);
+    t.acceleration = vector(6);
+    t.state = vector(device.state_size());
+  }
+  return targets;
+}
+
+/// The target with column `c` of the Jacobian's variables moved by h.
+Target moved(Target t, Span span, int c, double h) {
+  if (span == Span::state) {
+    t.state(c) += h;
+  } else if (c < 3) {
+    t.p_ST(c) += h;
+  } else if (c < 6) {
+    t.R_ST = Eigen::AngleAxisd(h, Eigen::Vector3d::Unit(c - 3)) * t.R_ST;
+  } else if (c < 12) {
+    t.velocity(c - 6) += h;
+  } else {
+    t.acceleration(c - 12) += h;
+  }
+  return t;
+}
+
+/// All numbers of an answer in one row, nothing where the target isn't seen.
+using Answer = std::optional<Eigen::VectorXd>;
+
+Answer answer(const Device& device, const Target& target, Observation& out) {
+  if (!device.observe(target, out)) return {};
+  Eigen::VectorXd all(out.z.size() + out.H.size() + out.R.size());
+  all << out.z, out.H.reshaped(), out.R.reshaped();
+  return all;
+}
+
+class DeviceContract : public testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    info_ = plugin(GetParam().id);
+    ASSERT_TRUE(info_);
+    device_ = device(GetParam().id, GetParam().yaml);
+  }
+  const PluginInfo* info_ = nullptr;
+  std::shared_ptr<const Device> device_;
+};
+
+TEST_P(DeviceContract, TableIsSane) {
+  std::set<std::string> names;
+  for (std::uint32_t i = 0; i < info_->n_params; ++i) {
+    const ParamSpec& s = info_->params[i];
+    SCOPED_TRACE(s.name);
+    EXPECT_TRUE(names.insert(s.name).second) << "two parameters of one name";
+    EXPECT_TRUE(std::isalpha(static_cast<unsigned char>(s.name[0])));
+    EXPECT_STRNE(s.unit, "");
+    EXPECT_STRNE(s.help, "");
+    EXPECT_LT(s.lower, s.upper);
+    EXPECT_TRUE(s.scale == ParamScale::linear || s.lower > 0) << "log needs lower > 0";
+    EXPECT_EQ(s.choices != nullptr, s.kind == ParamKind::choice);
+    if (s.kind == ParamKind::number) {
+      EXPECT_FALSE(s.text) << "the default of a number is `initial`";
+      EXPECT_FALSE(s.initial < s.lower || s.initial > s.upper) << s.initial;
+    } else {
+      EXPECT_TRUE(std::isnan(s.initial)) << "only a number's default is `initial`";
+    }
+    if (s.kind == ParamKind::choice && s.text) {
+      std::istringstream words(s.choices);
+      std::set<std::string> choices;
+      for (std::string word; std::getline(words, word, '|');) choices.insert(word);
+      EXPECT_TRUE(choices.contains(s.text)) << s.text << " isn't in " << s.choices;
+    }
+  }
+  EXPECT_STRNE(info_->summary, "");
+  EXPECT_EQ(GetParam().id, info_->id);
+}
+
+TEST_P(DeviceContract, SizesAreConsistentAndSomethingIsSeen) {
+  if (device_->span() == Span::state) {
+    ASSERT_GE(device_->state_size(), 1);
+    ASSERT_LE(device_->state_size(), kMaxState);
+  } else {
+    ASSERT_EQ(device_->state_size(), 0);
+  }
+  int seen = 0;
+  for (const Target& t : cloud(*device_, 4000)) {
+    Observation out;
+    if (!device_->observe(t, out)) continue;
+    ++seen;
+    ASSERT_GE(out.z.size(), 1);
+    ASSERT_EQ(out.H.rows(), out.z.size());
+    ASSERT_EQ(out.H.cols(), columns(*device_));
+    ASSERT_EQ(out.R.rows(), out.z.size());
+    ASSERT_EQ(out.R.cols(), out.z.size());
+    ASSERT_TRUE(out.z.allFinite() && out.H.allFinite() && out.R.allFinite());
+  }
+  // Fewer, and the other tests would hold of nothing.
+  EXPECT_GE(seen, 50);
+}
+
+TEST_P(DeviceContract, JacobianMatchesCentralDifferences) {
+  for (const Target& t : cloud(*device_, 4000)) {
+    Observation here, plus, minus;
+    if (!device_->observe(t, here)) continue;
+    for (int c = 0; c < columns(*device_); ++c) {
+      // Error h²z‴/6 + ε z/h, least about here for readings that vary over the range.
+      const double h = 1e-5 * (c < 3 ? t.p_ST.norm() : 1);
+      if (!device_->observe(moved(t, device_->span(), c, h), plus)) continue;
+      if (!device_->observe(moved(t, device_->span(), c, -h), minus)) continue;
+      const Eigen::VectorXd slope = (plus.z - minus.z) / (2 * h);
+      ASSERT_LT((slope - here.H.col(c)).norm(), 1e-6 * (1e-3 + here.H.norm()))
+          << "column " << c << " at " << t.p_ST.transpose() << ": H says "
+          << here.H.col(c).transpose() << ", differences " << slope.transpose();
+    }
+  }
+}
+
+TEST_P(DeviceContract, NoiseIsSymmetricAndNotNegative) {
+  for (const Target& t : cloud(*device_, 4000)) {
+    Observation out;
+    if (!device_->observe(t, out)) continue;
+    ASSERT_EQ(out.R, out.R.transpose());
+    const Eigen::VectorXd values =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(out.R).eigenvalues();
+    ASSERT_GE(values(0), -1e-14 * values.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_P(DeviceContract, ForgetsWhatOutHeldBefore) {
+  Observation used;
+  for (const Target& t : cloud(*device_, 1000)) {
+    Observation fresh;
+    const double nan = std::nan("");
+    used.z.setConstant(kMaxRows, nan);
+    used.H.setConstant(kMaxRows, kMaxState, nan);
+    used.R.setConstant(kMaxRows, kMaxRows, nan);
+    ASSERT_EQ(answer(*device_, t, fresh), answer(*device_, t, used));
+  }
+}
+
+TEST_P(DeviceContract, TakesNothingFromTheHeap) {
+  const std::vector<Target> targets = cloud(*device_, 1000);
+  Observation out;
+  int seen = 0;
+  EXPECT_EQ(allocations([&] {
+              for (const Target& t : targets) seen += device_->observe(t, out);
+            }),
+            0u);
+  EXPECT_GT(seen, 0);
+}
+
+TEST_P(DeviceContract, AnswersTheSameFromSeveralThreads) {
+  const std::vector<Target> targets = cloud(*device_, 1000);
+  const auto answers = [&] {
+    std::vector<Answer> all;
+    Observation out;
+    for (const Target& t : targets) all.push_back(answer(*device_, t, out));
+    return all;
+  };
+  const std::vector<Answer> alone = answers();
+  std::vector<std::vector<Answer>> together(4);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& mine : together) threads.emplace_back([&] { mine = answers(); });
+  }
+  for (const auto& mine : together) EXPECT_TRUE(mine == alone);
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, DeviceContract, testing::ValuesIn(cases()),
+                         [](const auto& i) {
+                           return i.param.id + "_" + std::to_string(i.index);
+                         });
+
+TEST(HeapCount, SeesThisProgramAndItsLibraries) {
+  void* volatile kept = nullptr;  // or the compiler drops the pair
+  EXPECT_EQ(allocations([&] {
+              kept = std::malloc(100);
+              std::free(kept);
+            }),
+            1u);
+  // Paths in a vector, made within the kernel's library.
+  EXPECT_GT(allocations([] { (void)plugin_folders(); }), 0u);
+}
+
+}  // namespace
+}  // namespace delos::test

@@ -1,0 +1,63 @@
+#include "device/heap_count.h"
+
+#include "delos/api.h"
+
+namespace {
+
+thread_local bool counting = false;
+thread_local std::size_t count = 0;
+
+void note() {
+  if (counting) ++count;
+}
+
+}  // namespace
+
+#ifdef __SANITIZE_ADDRESS__
+
+#include <sanitizer/allocator_interface.h>
+
+// The sanitizer owns malloc and reports to us.
+static const int installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { note(); }, [](const volatile void*) {});
+
+#else
+
+// glibc's own entries, which stay reachable behind ours.
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+DELOS_API void* malloc(std::size_t size) {
+  note();
+  return __libc_malloc(size);
+}
+DELOS_API void* calloc(std::size_t n, std::size_t size) {
+  note();
+  return __libc_calloc(n, size);
+}
+DELOS_API void* realloc(void* p, std::size_t size) {
+  note();
+  return __libc_realloc(p, size);
+}
+DELOS_API void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  note();
+  return __libc_memalign(alignment, size);
+}
+}
+
+#endif
+
+namespace delos::test {
+
+std::size_t allocations(const std::function<void()>& work) {
+  count = 0;
+  counting = true;
+  work();
+  counting = false;
+  return count;
+}
+
+}  // namespace delos::test
