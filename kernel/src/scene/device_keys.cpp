@@ -1,0 +1,186 @@
+#include "scene/device_keys.h"
+
+#include <algorithm>
+#include <map>
+
+#include "scene/node_text.h"
+#include "scene/params.h"
+#include "scene/placement_keys.h"
+
+namespace delos {
+namespace {
+
+using Written = std::optional<Node>;
+
+constexpr std::array<Key<Group>, 4> kGroupKeys = {{
+    kAtKey<Group>,
+    kAimKey<Group>,
+    kRpyKey<Group>,
+    kQuaternionKey<Group>,
+}};
+
+void read_rate(Reader& reader, const Place& at, DeviceEntry& out) {
+  const auto rate = reader.number(at, "1/s");
+  if (!rate) return;
+  if (!(*rate > 0)) reader.error(at, "must be above 0; a device that is off is left out");
+  out.rate = *rate;
+}
+
+void read_phase(Reader& reader, const Place& at, DeviceEntry& out) {
+  const auto phase = reader.number(at, "s");
+  if (!phase) return;
+  if (*phase < 0) reader.error(at, "must not be below 0");
+  out.phase = *phase;
+}
+
+void read_mount(Reader& reader, const Place& at, DeviceEntry&) {
+  constexpr std::pair<const char*, bool> kMounts[] = {{"world", true}, {"target", false}};
+  const auto in_world = reader.choice(at, kMounts);
+  if (in_world && !*in_world)
+    reader.error(at, "'target' is not supported by this version; devices are in the world");
+}
+
+constexpr std::array<Key<DeviceEntry>, 11> kDeviceKeys = {{
+    {"name", Need::required, "a word of your own that messages and paths use",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       if (auto name = r.name(p)) d.name = std::move(*name);
+     },
+     [](const DeviceEntry& d) -> Written { return to_node(d.name); }},
+    {"type", Need::required, "id of the plugin that models it",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       if (auto type = r.word(p)) d.type = std::move(*type);
+     },
+     [](const DeviceEntry& d) -> Written { return to_node(d.type); }},
+    {"rate", Need::required, "updates a second, such as 50 Hz", read_rate,
+     [](const DeviceEntry& d) -> Written { return to_node(d.rate); }},
+    {"phase", Need::optional, "delay of the first update; periodic fusion reads it",
+     read_phase,
+     [](const DeviceEntry& d) -> Written {
+       if (d.phase == 0) return std::nullopt;
+       return to_node(d.phase);
+     }},
+    {"mount", Need::optional, "world: it stands in the room", read_mount},
+    {"group", Need::optional, "the group that it is placed in; default: the world",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       if (auto group = r.word(p)) d.group = std::move(*group);
+     },
+     [](const DeviceEntry& d) -> Written {
+       if (d.group.empty()) return std::nullopt;
+       return to_node(d.group);
+     }},
+    kAtKey<DeviceEntry>,
+    kAimKey<DeviceEntry>,
+    kRpyKey<DeviceEntry>,
+    kQuaternionKey<DeviceEntry>,
+    {"params", Need::optional, "the plugin's own parameters", nullptr,
+     [](const DeviceEntry& d) -> Written {
+       if (d.params.all().empty()) return std::nullopt;
+       return write_params(d.params);
+     }},
+}};
+
+void check_group(Reader& reader, const Place& at, const DeviceEntry& device,
+                 const std::vector<std::string>& groups) {
+  const Node* node = at.node().find("group");
+  if (!node || node->kind != Node::Kind::scalar ||
+      std::find(groups.begin(), groups.end(), device.group) != groups.end())
+    return;
+  reader.error_within(at, node->mark, "group",
+                      "there is no group '" + device.group + '\'' +
+                          (groups.empty() ? "; the scene declares none"
+                                          : suggestion(device.group, groups)));
+}
+
+/// Make the device, whose plugin knows which values clash.
+void check_device(Reader& reader, const Place& at, const PluginInfo& info,
+                  const StateLayout* layout, const DeviceEntry& entry) {
+  try {
+    const auto device = make_device(info, entry.params);
+    if (!layout || device->span() != Span::state || device->state_size() == layout->size())
+      return;
+    std::vector<std::string> names = layout->names();
+    reader.error(at, "measures a state of " + std::to_string(device->state_size()) +
+                         " entries, but this motion's has " +
+                         std::to_string(layout->size()) + ": " + joined(names));
+  } catch (const std::exception& e) {
+    reader.error(at, e.what());
+  }
+}
+
+void read_device(Reader& reader, const Place& at, const StateLayout* layout,
+                 const std::vector<std::string>& groups, DeviceEntry& out) {
+  const std::size_t before = reader.findings.errors();
+  if (!read_map(reader, at, kDeviceKeys, out)) return;
+  check_placement(reader, at, out.placement);
+  check_group(reader, at, out, groups);
+  if (out.type.empty()) return;
+  const PluginLoad& plugin = reader.plugins.find(out.type);
+  if (!plugin.info) {
+    reader.error_within(at, at.node().find("type")->mark, "type", plugin.error);
+    return;
+  }
+  read_params(reader, at, *plugin.info, out.params);
+  if (reader.findings.errors() == before)
+    check_device(reader, at, *plugin.info, layout, out);
+}
+
+}  // namespace
+
+void read_groups(Reader& reader, const Place& at, std::vector<Group>& out) {
+  if (!reader.expect(at, Node::Kind::map, "a mapping of names to poses")) return;
+  const Node& node = at.node();
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Place place(at, node.keys[i].text, node.items[i]);
+    const Node name{Node::Kind::scalar, node.keys[i].mark, node.keys[i].text, {}, {}};
+    Group group;
+    reader.name(Place(at, node.keys[i].text, name));
+    group.name = node.keys[i].text;
+    // "rig1:" alone is a group at the origin.
+    if (node.items[i].kind != Node::Kind::null &&
+        read_map(reader, place, kGroupKeys, group))
+      check_placement(reader, place, group.placement);
+    out.push_back(std::move(group));
+  }
+}
+
+void read_devices(Reader& reader, const Place& at, bool motion_known, Scene& scene) {
+  if (!reader.expect(at, Node::Kind::list, "a list of devices")) return;
+  const Node& node = at.node();
+  if (node.items.empty()) reader.error(at, "the list is empty; a system needs a device");
+  std::vector<std::string> groups;
+  for (const Group& group : scene.groups) groups.push_back(group.name);
+  std::map<std::string, int> line_of;
+  scene.devices.reserve(node.items.size());
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Place place(at, member_name(node.items[i], i), node.items[i]);
+    DeviceEntry entry;
+    read_device(reader, place, motion_known ? &scene.motion.layout : nullptr, groups, entry);
+    if (!entry.name.empty()) {
+      const Mark mark = node.items[i].find("name")->mark;
+      const auto [first, is_new] = line_of.emplace(entry.name, mark.line);
+      if (!is_new)
+        reader.error_within(place, mark, "name",
+                            '\'' + entry.name + "' names the device on line " +
+                                std::to_string(first->second) + " already");
+    }
+    scene.devices.push_back(std::move(entry));
+  }
+}
+
+Node write_groups(const std::vector<Group>& groups) {
+  Node map;
+  map.kind = Node::Kind::map;
+  for (const Group& group : groups) {
+    map.keys.push_back({group.name, {}});
+    map.items.push_back(write_map(kGroupKeys, group));
+  }
+  return map;
+}
+
+Node write_devices(const std::vector<DeviceEntry>& devices) {
+  std::vector<Node> list;
+  for (const DeviceEntry& device : devices) list.push_back(write_map(kDeviceKeys, device));
+  return to_node(std::move(list));
+}
+
+}  // namespace delos

@@ -1,0 +1,42 @@
+// Collects what is wrong with a scene's texts, in the order of the texts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "delos/scene/diagnostic.h"
+
+namespace delos {
+
+/// A place in one of the texts that make a scene. Small, since every node has one.
+struct Mark {
+  int source = 0;  ///< which text, see Findings::add_source()
+  int line = 0;    ///< from 1; 0 where the text has no lines
+  int column = 0;  ///< from 1
+};
+
+/// Findings of one pass over a scene: its own text, overrides and files that it names.
+class Findings {
+ public:
+  /// Announce a text; findings are sorted in the order of announcement.
+  int add_source(std::string name);
+
+  void error(Mark where, std::string message);
+
+  /// Errors so far: comparing two counts tells whether something between was in order.
+  [[nodiscard]] std::size_t errors() const { return found_.size(); }
+
+  /// Append to `out` in order of position, without repeats.
+  void move_to(Diagnostics& out);
+
+ private:
+  struct Finding {
+    Mark where;
+    std::string message;
+  };
+  std::vector<std::string> sources_;
+  std::vector<Finding> found_;
+};
+
+}  // namespace delos

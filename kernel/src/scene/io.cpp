@@ -1,0 +1,50 @@
+#include "delos/scene/io.h"
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "scene/node_text.h"
+#include "scene/override.h"
+#include "scene/scene_keys.h"
+
+namespace delos {
+
+std::optional<Scene> load_scene(const std::filesystem::path& file,
+                                const std::vector<Override>& overrides,
+                                PluginRegistry& plugins, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& why) {
+    diagnostics.push_back(
+        {{file.string(), 0, 0}, Severity::error, "the scene can't be read: " + why});
+    return std::nullopt;
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return refuse("it is a folder");
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return refuse(std::generic_category().message(errno));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parse_scene(text, file, overrides, plugins, diagnostics);
+}
+
+std::optional<Scene> parse_scene(std::string_view text, const std::filesystem::path& file,
+                                 const std::vector<Override>& overrides,
+                                 PluginRegistry& plugins, Diagnostics& diagnostics) {
+  Findings findings;
+  const int source = findings.add_source(file.string());
+  std::optional<Scene> scene;
+  if (auto tree = parse_yaml(text, source, true, findings)) {
+    Reader reader(findings, plugins, file.parent_path());
+    check_duplicate_keys(reader, Place(*tree));
+    for (const Override& change : overrides) apply_override(*tree, change, findings);
+    scene = read_scene(reader, *tree);
+  }
+  if (findings.errors() > 0) scene.reset();
+  findings.move_to(diagnostics);
+  return scene;
+}
+
+std::string write_scene(const Scene& scene) { return to_yaml(scene_node(scene)); }
+
+}  // namespace delos

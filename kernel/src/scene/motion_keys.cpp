@@ -1,0 +1,301 @@
+#include "scene/motion_keys.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <set>
+
+#include "delos/scene/units.h"
+#include "scene/node_text.h"
+#include "scene/words.h"
+
+namespace delos {
+namespace {
+
+/// Types of motion: the order of a chain, 0 for custom.
+constexpr std::pair<const char*, int> kMotionWords[] = {
+    {"position", 1},
+    {"position_velocity", 2},
+    {"position_velocity_acceleration", 3},
+    {"custom", 0},
+};
+
+/// What the keys say, before they are put together.
+struct Draft {
+  std::optional<int> type;  ///< of kMotionWords
+  StateLayout layout;
+  std::optional<std::vector<std::string>> names;
+  std::optional<CoordinateMatrix> q;
+  std::optional<Eigen::MatrixXd> A, Q;
+};
+
+/// SI unit of entry (i, j) of q: the product of two coordinates over s^(2k−1).
+std::string q_unit(const StateLayout& layout, int i, int j) {
+  const auto is_length = [&](int c) { return c < layout.positions(); };
+  const std::string square = is_length(i) != is_length(j) ? "m rad"
+                             : is_length(i)               ? "m^2"
+                                                          : "rad^2";
+  const int power = 2 * layout.order - 1;
+  return square + (power == 1 ? "/s" : "/s^" + std::to_string(power));
+}
+
+/// A finding where m(i, j) ≠ m(j, i).
+bool check_symmetric(Reader& reader, const Place& at, const Eigen::MatrixXd& m) {
+  for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (m(i, j) == m(j, i)) continue;
+      const auto path = [](Eigen::Index a, Eigen::Index b) {
+        return std::to_string(a) + '.' + std::to_string(b);
+      };
+      reader.error(at, "is not symmetric: " + path(j, i) + " is " + shortest(m(j, i)) +
+                           ", " + path(i, j) + " is " + shortest(m(i, j)));
+      return false;
+    }
+  return true;
+}
+
+double least_eigenvalue(const Eigen::MatrixXd& m) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
+  const int d = draft.layout.coordinates();
+  const std::size_t before = reader.findings.errors();
+  CoordinateMatrix q = CoordinateMatrix::Zero(d, d);
+  for (int i = 0; i < d; ++i) {
+    const Place entry(at, std::to_string(i),
+                      at.node().items[static_cast<std::size_t>(i)]);
+    const auto value = reader.number(entry, q_unit(draft.layout, i, i));
+    if (!value) continue;
+    if (!(*value > 0))
+      reader.error(entry, shortest(*value) + " isn't above 0; the noise that drives the "
+                                             "motion must be positive");
+    q(i, i) = *value;
+  }
+  if (reader.findings.errors() == before) draft.q = q;
+}
+
+void read_full_q(Reader& reader, const Place& at, Draft& draft) {
+  const int d = draft.layout.coordinates();
+  const auto m = reader.matrix(
+      at, [&](int i, int j) { return q_unit(draft.layout, i % d, j % d); });
+  if (!m) return;
+  if (m->rows() != d || m->cols() != d) {
+    reader.error(at, "is " + std::to_string(m->rows()) + "×" + std::to_string(m->cols()) +
+                         ", but the state has " + std::to_string(d) + " coordinates");
+    return;
+  }
+  if (!check_symmetric(reader, at, *m)) return;
+  if (Eigen::LLT<Eigen::MatrixXd>(*m).info() != Eigen::Success) {
+    reader.error(at, "is not positive definite: its least eigenvalue is " +
+                         shortest(least_eigenvalue(*m)));
+    return;
+  }
+  draft.q = *m;
+}
+
+void read_q(Reader& reader, const Place& at, Draft& draft) {
+  if (!draft.type || *draft.type == 0) return;
+  if (!reader.expect(at, Node::Kind::list, "a list of numbers or of rows")) return;
+  const auto& items = at.node().items;
+  const auto d = static_cast<std::size_t>(draft.layout.coordinates());
+  if (items.size() != d) {
+    reader.error(at, "has " + std::to_string(items.size()) + " members, but the state '" +
+                         word_of(kPoseStateWords, draft.layout.pose) + "' has " +
+                         std::to_string(d) + " coordinates");
+    return;
+  }
+  if (items[0].kind == Node::Kind::list)
+    read_full_q(reader, at, draft);
+  else
+    read_diagonal_q(reader, at, draft);
+}
+
+void read_names(Reader& reader, const Place& at, Draft& draft) {
+  if (!reader.expect(at, Node::Kind::list, "a list of names")) return;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < at.node().items.size(); ++i)
+    names.push_back(
+        reader.name(Place(at, std::to_string(i), at.node().items[i])).value_or(""));
+  draft.names = std::move(names);
+}
+
+void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>& out) {
+  auto m = reader.matrix(at, [](int, int) { return "1"; });
+  if (!m) return;
+  if (m->rows() != m->cols())
+    reader.error(at, "is " + std::to_string(m->rows()) + "×" + std::to_string(m->cols()) +
+                         ", but must be square");
+  else if (m->rows() > kMaxState)
+    reader.error(at, "has " + std::to_string(m->rows()) + " states; at most " +
+                         std::to_string(kMaxState) + " are possible");
+  else
+    out = std::move(m);
+}
+
+constexpr std::array<Key<Draft>, 7> kKeys = {{
+    {"type", Need::required,
+     "position, position_velocity, position_velocity_acceleration or custom",
+     [](Reader& r, const Place& p, Draft& d) {
+       d.type = r.choice(p, kMotionWords);
+       if (d.type.value_or(0) > 0) d.layout.order = *d.type;
+     },
+     [](const Draft& d) -> std::optional<Node> {
+       return to_node(word_of(kMotionWords, *d.type));
+     }},
+    {"state", Need::optional, "what is estimated: position, orientation or pose",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (const auto pose = r.choice(p, kPoseStateWords)) d.layout.pose = *pose;
+     },
+     [](const Draft& d) -> std::optional<Node> {
+       return to_node(word_of(kPoseStateWords, d.layout.pose));
+     }},
+    {"order", Need::optional, "custom: blocks of coordinates, 1 to 3; default 1",
+     [](Reader& r, const Place& p, Draft& d) {
+       const auto order = r.integer(p, 1, 3);
+       if (order && d.type == 0) d.layout.order = *order;
+     },
+     [](const Draft& d) -> std::optional<Node> {
+       if (*d.type > 0) return std::nullopt;
+       return to_node(d.layout.order);
+     }},
+    {"names", Need::optional, "custom: names of the states behind the blocks", read_names,
+     [](const Draft& d) -> std::optional<Node> {
+       if (d.layout.extra.empty()) return std::nullopt;
+       std::vector<Node> names;
+       for (const std::string& name : d.layout.extra) names.push_back(to_node(name));
+       return to_node(std::move(names));
+     }},
+    {"q", Need::optional,
+     "spectral density of the driving noise: one number a coordinate, or a symmetric matrix",
+     read_q,
+     [](const Draft& d) -> std::optional<Node> {
+       if (!d.q) return std::nullopt;
+       if (d.q->isDiagonal(0)) return vector_node(d.q->diagonal());
+       return matrix_node(*d.q);
+     }},
+    {"A", Need::optional, "custom: transition of one update, n×n, SI",
+     [](Reader& r, const Place& p, Draft& d) { read_square(r, p, d.A); },
+     [](const Draft& d) -> std::optional<Node> {
+       if (!d.A) return std::nullopt;
+       return matrix_node(*d.A);
+     }},
+    {"Q", Need::optional, "custom: process noise of one update, n×n, SI",
+     [](Reader& r, const Place& p, Draft& d) { read_square(r, p, d.Q); },
+     [](const Draft& d) -> std::optional<Node> {
+       if (!d.Q) return std::nullopt;
+       return matrix_node(*d.Q);
+     }},
+}};
+
+/// Say which keys belong to the other kind of motion, and which are missing.
+void check_keys(Reader& reader, const Place& at, const Draft& draft) {
+  struct Rule {
+    const char* key;
+    bool custom;
+    Need need;
+  };
+  constexpr Rule kRules[] = {{"order", true, Need::optional},
+                             {"names", true, Need::optional},
+                             {"A", true, Need::required},
+                             {"Q", true, Need::required},
+                             {"q", false, Need::required}};
+  const bool custom = *draft.type == 0;
+  for (const Rule& rule : kRules) {
+    const Node* node = at.node().find(rule.key);
+    if (node && rule.custom != custom)
+      reader.error_within(at, node->mark, rule.key,
+                          custom ? "custom motion is described by A and Q instead"
+                                 : "only custom motion has it; q describes this type");
+    if (!node && rule.custom == custom && rule.need == Need::required)
+      reader.error_within(at, at.node().mark, rule.key,
+                          "missing: this type of motion needs it");
+  }
+}
+
+void check_noise(Reader& reader, const Place& at, const Eigen::MatrixXd& Q) {
+  if (!check_symmetric(reader, at, Q)) return;
+  // Eigenvalues are exact to rounding only; a singular Q is allowed.
+  constexpr double kRounding = 1e-12;
+  const double least = least_eigenvalue(Q);
+  if (least < -kRounding * Q.cwiseAbs().maxCoeff())
+    reader.error(at, "is not positive semidefinite: its least eigenvalue is " +
+                         shortest(least));
+}
+
+void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
+  const auto base = static_cast<std::size_t>(draft.layout.size());
+  const std::size_t extra = static_cast<std::size_t>(draft.A->rows()) - base;
+  std::vector<std::string> names;
+  if (draft.names) {
+    const Place place(at, "names", *at.node().find("names"));
+    if (draft.names->size() != extra) {
+      reader.error(place, "has " + std::to_string(draft.names->size()) + " names, but " +
+                              std::to_string(extra) + " of the " +
+                              std::to_string(draft.A->rows()) +
+                              " states are behind the blocks of coordinates");
+      return;
+    }
+    const std::vector<std::string> taken = draft.layout.names();
+    std::set<std::string> seen(taken.begin(), taken.end());
+    for (std::size_t i = 0; i < extra; ++i)
+      if (!seen.insert((*draft.names)[i]).second)
+        reader.error(Place(place, std::to_string(i), place.node().items[i]),
+                     '\'' + (*draft.names)[i] + "' names another state already");
+    names = *draft.names;
+  } else {
+    for (std::size_t i = 0; i < extra; ++i) names.push_back("extra" + std::to_string(i + 1));
+  }
+  draft.layout.extra = std::move(names);
+}
+
+void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& out) {
+  if (draft.Q) check_noise(reader, Place(at, "Q", *at.node().find("Q")), *draft.Q);
+  if (!draft.A || !draft.Q) return;
+  if (draft.A->rows() != draft.Q->rows()) {
+    reader.error(Place(at, "Q", *at.node().find("Q")),
+                 "has " + std::to_string(draft.Q->rows()) + " rows, A has " +
+                     std::to_string(draft.A->rows()));
+    return;
+  }
+  if (draft.A->rows() < draft.layout.size()) {
+    reader.error(Place(at, "A", *at.node().find("A")),
+                 "has " + std::to_string(draft.A->rows()) + " states, but " +
+                     std::to_string(draft.layout.order) + " × " +
+                     std::to_string(draft.layout.coordinates()) +
+                     " coordinates need at least " + std::to_string(draft.layout.size()));
+    return;
+  }
+  name_extra_states(reader, at, draft);
+  out.layout = draft.layout;
+  out.dynamics = CustomMotion{*draft.A, *draft.Q};
+}
+
+}  // namespace
+
+void read_motion(Reader& reader, const Place& at, MotionModel& out) {
+  Draft draft;
+  if (!read_map(reader, at, kKeys, draft) || !draft.type) return;
+  check_keys(reader, at, draft);
+  if (*draft.type == 0) {
+    finish_custom(reader, at, draft, out);
+  } else {
+    out.layout = draft.layout;
+    if (draft.q) out.dynamics = ChainMotion{*draft.q};
+  }
+}
+
+Node write_motion(const MotionModel& motion) {
+  Draft draft;
+  draft.type = motion.is_chain() ? motion.layout.order : 0;
+  draft.layout = motion.layout;
+  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics)) draft.q = chain->q;
+  if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics)) {
+    draft.A = custom->A;
+    draft.Q = custom->Q;
+  }
+  return write_map(kKeys, draft);
+}
+
+}  // namespace delos

@@ -1,0 +1,46 @@
+// Where something is: the keys at, aim, rpy and quaternion_wxyz of groups and devices.
+#pragma once
+
+#include <optional>
+
+#include "delos/scene/scene.h"
+#include "scene/keys.h"
+
+namespace delos {
+
+void read_at(Reader& reader, const Place& at, Placement& out);
+void read_aim(Reader& reader, const Place& at, Placement& out);
+void read_rpy(Reader& reader, const Place& at, Placement& out);
+void read_quaternion(Reader& reader, const Place& at, Placement& out);
+
+[[nodiscard]] std::optional<Node> write_at(const Placement& placement);
+[[nodiscard]] std::optional<Node> write_aim(const Placement& placement);
+[[nodiscard]] std::optional<Node> write_rpy(const Placement& placement);
+[[nodiscard]] std::optional<Node> write_quaternion(const Placement& placement);
+
+/// What only the keys together tell: at most one says where something faces.
+void check_placement(Reader& reader, const Place& at, const Placement& placement);
+
+// T is anything with a Placement called placement.
+template <class T>
+inline constexpr Key<T> kAtKey = {
+    "at", Need::optional, "position [x, y, z], metres, in its group or the world",
+    [](Reader& r, const Place& p, T& t) { read_at(r, p, t.placement); },
+    [](const T& t) { return write_at(t.placement); }};
+template <class T>
+inline constexpr Key<T> kAimKey = {
+    "aim", Need::optional, "point that the z axis looks at, in the frame of `at`",
+    [](Reader& r, const Place& p, T& t) { read_aim(r, p, t.placement); },
+    [](const T& t) { return write_aim(t.placement); }};
+template <class T>
+inline constexpr Key<T> kRpyKey = {
+    "rpy", Need::optional, "orientation as [roll, pitch, yaw], Rz·Ry·Rx",
+    [](Reader& r, const Place& p, T& t) { read_rpy(r, p, t.placement); },
+    [](const T& t) { return write_rpy(t.placement); }};
+template <class T>
+inline constexpr Key<T> kQuaternionKey = {
+    "quaternion_wxyz", Need::optional, "orientation as [w, x, y, z], of any length but 0",
+    [](Reader& r, const Place& p, T& t) { read_quaternion(r, p, t.placement); },
+    [](const T& t) { return write_quaternion(t.placement); }};
+
+}  // namespace delos

@@ -1,0 +1,335 @@
+#include "scene/sample_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <system_error>
+
+#include "delos/sampling/samples.h"
+#include "scene/node_text.h"
+#include "scene/point_file.h"
+#include "scene/sample_limit.h"
+#include "scene/words.h"
+
+namespace delos {
+namespace {
+
+using Written = std::optional<Node>;
+
+void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
+  if (const auto v = reader.vector3(at, "m")) out = *v;
+}
+
+// ---- volume ----
+
+/// One step for all axes, or a list of three.
+void read_step(Reader& reader, const Place& at, VolumeSampling& out) {
+  const bool list = at.node().kind == Node::Kind::list;
+  const std::size_t before = reader.findings.errors();
+  if (list) {
+    read_vector(reader, at, out.step);
+  } else if (const auto step = reader.number(at, "m")) {
+    out.step.setConstant(*step);
+  }
+  if (reader.findings.errors() != before) return;
+  for (std::size_t i = 0; i < (list ? 3 : 1); ++i) {
+    if (out.step[static_cast<Eigen::Index>(i)] > 0) continue;
+    constexpr const char* kProblem = "must be above 0";
+    if (list)
+      reader.error(Place(at, kAxes[i], at.node().items[i]), kProblem);
+    else
+      reader.error(at, kProblem);
+  }
+}
+
+constexpr std::array<Key<VolumeSampling>, 4> kVolumeKeys = {{
+    {"min", Need::required, "corner [x, y, z], metres",
+     [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.min); },
+     [](const VolumeSampling& v) -> Written { return vector_node(v.min); }},
+    {"max", Need::required, "opposite corner [x, y, z], metres",
+     [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.max); },
+     [](const VolumeSampling& v) -> Written { return vector_node(v.max); }},
+    {"step", Need::required, "distance of samples, metres: a number or [x, y, z]", read_step,
+     [](const VolumeSampling& v) -> Written {
+       if (v.step.x() == v.step.y() && v.step.y() == v.step.z())
+         return to_node(v.step.x());
+       return vector_node(v.step);
+     }},
+    {"adaptive", Need::later, "refinement where the field bends"},
+}};
+
+// ---- plane ----
+
+void read_counts(Reader& reader, const Place& at, PlaneSampling& out) {
+  if (!reader.expect(at, Node::Kind::list, "two whole numbers [nu, nv]")) return;
+  const auto& items = at.node().items;
+  if (items.size() != 2) {
+    reader.error(at, "expected two whole numbers [nu, nv], not " +
+                         std::to_string(items.size()) + " members");
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const auto n = reader.integer(Place(at, std::to_string(i), items[i]), 1,
+                                      std::numeric_limits<int>::max()))
+      out.counts[static_cast<Eigen::Index>(i)] = *n;
+}
+
+constexpr std::array<Key<PlaneSampling>, 4> kPlaneKeys = {{
+    {"origin", Need::required, "corner [x, y, z], metres",
+     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.origin); },
+     [](const PlaneSampling& s) -> Written { return vector_node(s.origin); }},
+    {"u", Need::required, "first edge [x, y, z], metres",
+     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.u); },
+     [](const PlaneSampling& s) -> Written { return vector_node(s.u); }},
+    {"v", Need::required, "second edge [x, y, z], metres",
+     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.v); },
+     [](const PlaneSampling& s) -> Written { return vector_node(s.v); }},
+    {"counts", Need::required, "samples along u and v, [nu, nv]", read_counts,
+     [](const PlaneSampling& s) -> Written {
+       return to_node(std::vector<Node>{to_node(s.counts[0]), to_node(s.counts[1])});
+     }},
+}};
+
+// ---- orientations ----
+
+constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
+
+constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
+    {"rpy", Need::optional, "target orientations tried at each point, [[roll, pitch, yaw], …]",
+     [](Reader& r, const Place& p, Orientations& o) {
+       if (auto rpy = r.vectors3(p, "rad", kAngles)) o.rpy = std::move(*rpy);
+     },
+     [](const Orientations& o) -> Written { return to_node(o.rpy); }},
+    {"combine", Need::optional, "how their values become one: worst or mean",
+     [](Reader& r, const Place& p, Orientations& o) {
+       if (const auto rule = r.choice(p, kOrientationRuleWords)) o.combine = *rule;
+     },
+     [](const Orientations& o) -> Written {
+       return to_node(word_of(kOrientationRuleWords, o.combine));
+     }},
+}};
+
+// ---- one set ----
+
+/// A set as its keys say it; orientations stand beside the shape of a single set.
+struct Draft {
+  SampleSet set;
+  bool complete = false;  ///< its shape was read without findings
+  bool single = false;    ///< `sample` is this mapping, not a list
+  std::optional<Orientations> orientations;
+};
+
+template <class Shape, std::size_t N>
+void read_shape(Reader& reader, const Place& at, const std::array<Key<Shape>, N>& keys,
+                Draft& out) {
+  const std::size_t before = reader.findings.errors();
+  Shape shape;
+  read_map(reader, at, keys, shape);
+  out.complete = reader.findings.errors() == before;
+  if (out.complete) out.set.shape = shape;
+}
+
+void read_volume(Reader& reader, const Place& at, Draft& out) {
+  read_shape(reader, at, kVolumeKeys, out);
+  if (!out.complete) return;
+  const auto& v = std::get<VolumeSampling>(out.set.shape);
+  const Node& max = *at.node().find("max");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double steps = (v.max[axis] - v.min[axis]) / v.step[axis];
+    if (steps >= 0 && std::isfinite(steps)) continue;
+    const Place place(at, "max", max);
+    reader.error(Place(place, kAxes[i], max.items[i]),
+                 '\'' + max.items[i].text +
+                     (steps < 0 ? "' is below min; exchange them"
+                                : "' is too far from min for this step"));
+    out.complete = false;
+  }
+}
+
+void read_points(Reader& reader, const Place& at, Draft& out) {
+  auto points = reader.vectors3(at, "m");
+  if (!points) return;
+  out.set.shape = PointSampling{{}, std::move(*points)};
+  out.complete = true;
+}
+
+void read_file(Reader& reader, const Place& at, Draft& out) {
+  const auto written = reader.word(at);
+  if (!written) return;
+  if (!is_point_file(*written)) {
+    reader.error(at, '\'' + *written + "' is neither a .ptl nor a .csv file");
+    return;
+  }
+  const std::filesystem::path path = reader.folder / *written;
+  std::error_code ignored;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(path, ignored)) {
+    reader.error(at, "there is no readable file '" + path.string() + '\'');
+    return;
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t before = reader.findings.errors();
+  const int source = reader.findings.add_source(path.string());
+  auto points = parse_points(text, *written, source, reader.findings);
+  if (reader.findings.errors() != before) return;
+  if (points.empty()) {
+    reader.error(at, "the file '" + path.string() + "' has no points");
+    return;
+  }
+  out.set.shape = PointSampling{*written, std::move(points)};
+  out.complete = true;
+}
+
+constexpr std::array<Key<Draft>, 8> kSetKeys = {{
+    {"name", Need::optional, "name of the set",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (auto name = r.name(p)) d.set.name = std::move(*name);
+     },
+     [](const Draft& d) -> Written {
+       if (d.set.name.empty()) return std::nullopt;
+       return to_node(d.set.name);
+     }},
+    {"volume", Need::optional, "grid in a box", read_volume,
+     [](const Draft& d) -> Written {
+       const auto* v = std::get_if<VolumeSampling>(&d.set.shape);
+       if (!v) return std::nullopt;
+       return write_map(kVolumeKeys, *v);
+     }},
+    {"plane", Need::optional, "samples on a parallelogram",
+     [](Reader& r, const Place& p, Draft& d) { read_shape(r, p, kPlaneKeys, d); },
+     [](const Draft& d) -> Written {
+       const auto* p = std::get_if<PlaneSampling>(&d.set.shape);
+       if (!p) return std::nullopt;
+       return write_map(kPlaneKeys, *p);
+     }},
+    {"points", Need::optional, "given points [[x, y, z], …], metres", read_points,
+     [](const Draft& d) -> Written {
+       const auto* p = std::get_if<PointSampling>(&d.set.shape);
+       if (!p || !p->file.empty()) return std::nullopt;
+       return to_node(p->points);
+     }},
+    {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene", read_file,
+     [](const Draft& d) -> Written {
+       const auto* p = std::get_if<PointSampling>(&d.set.shape);
+       if (!p || p->file.empty()) return std::nullopt;
+       return to_node(p->file);
+     }},
+    {"mesh", Need::later, "samples on a surface"},
+    {"path", Need::later, "samples along a recorded path"},
+    {"orientations", Need::optional, "target orientations tried at each point",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (!d.single)
+         r.error(p, "orientations hold for all sets; put them beside 'sample'");
+       else
+         read_orientations(r, p, d.orientations.emplace());
+     },
+     [](const Draft& d) -> Written {
+       if (!d.orientations) return std::nullopt;
+       return write_map(kOrientationKeys, *d.orientations);
+     }},
+}};
+
+/// Exactly one key says which shape a set has.
+bool check_one_shape(Reader& reader, const Place& at) {
+  const std::vector<std::string> shapes = {"volume", "plane", "points",
+                                           "file",   "mesh",  "path"};
+  std::string given;
+  bool one = true;
+  for (const std::string& shape : shapes) {
+    const Node* node = at.node().find(shape);
+    if (!node) continue;
+    if (!given.empty()) {
+      reader.error_within(at, node->mark, shape,
+                          "the set is given by '" + given + "' already; make a list of sets");
+      one = false;
+    }
+    given = shape;
+  }
+  if (!given.empty()) return one;
+  reader.error(at, "nothing to sample; give volume, plane, points or file");
+  return false;
+}
+
+/// Where to report that a set is too large: at what makes it so.
+void report_too_many(Reader& reader, const Place& at, const SampleSet& set) {
+  const std::string problem = too_many_samples(set, kMostSamples);
+  const auto within = [&](const char* shape, const char* key) {
+    const Node& node = *at.node().find(shape);
+    const Place place(at, shape, node);
+    if (key)
+      reader.error(Place(place, key, *node.find(key)), problem);
+    else
+      reader.error(place, problem);
+  };
+  if (std::holds_alternative<VolumeSampling>(set.shape)) return within("volume", "step");
+  if (std::holds_alternative<PlaneSampling>(set.shape)) return within("plane", "counts");
+  within(std::get<PointSampling>(set.shape).file.empty() ? "points" : "file", nullptr);
+}
+
+/// Read one set. @returns its samples, 0 where it has findings.
+std::int64_t read_set(Reader& reader, const Place& at, bool single, Scene& out) {
+  Draft draft;
+  draft.single = single;
+  if (!read_map(reader, at, kSetKeys, draft)) return 0;
+  if (draft.orientations) out.orientations = std::move(*draft.orientations);
+  if (!check_one_shape(reader, at) || !draft.complete) return 0;
+  const std::int64_t count = sample_count(draft.set);
+  if (count > kMostSamples) {
+    report_too_many(reader, at, draft.set);
+    return 0;
+  }
+  out.samples.push_back(std::move(draft.set));
+  return count;
+}
+
+bool stand_in_set(const Scene& scene) { return scene.samples.size() == 1; }
+
+}  // namespace
+
+void read_orientations(Reader& reader, const Place& at, Orientations& out) {
+  read_map(reader, at, kOrientationKeys, out);
+}
+
+void read_samples(Reader& reader, const Place& at, Scene& out) {
+  const Node& node = at.node();
+  if (node.kind != Node::Kind::list) {
+    read_set(reader, at, true, out);
+    return;
+  }
+  if (node.items.empty()) reader.error(at, "the list is empty; give at least one set");
+  std::int64_t total = 0;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Place place(at, member_name(node.items[i], i), node.items[i]);
+    total += read_set(reader, place, false, out);
+    const Node* name = node.items[i].find("name");
+    if (name && name->kind == Node::Kind::scalar && !names.insert(name->text).second)
+      reader.error_within(place, name->mark, "name",
+                          '\'' + name->text + "' is another set's name already");
+  }
+  if (total > kMostSamples)
+    reader.error(at, too_many_samples(total, kMostSamples) + ": make the sets coarser");
+}
+
+Node write_samples(const Scene& scene) {
+  std::vector<Node> sets;
+  for (const SampleSet& set : scene.samples) {
+    Draft draft{set, true, stand_in_set(scene), std::nullopt};
+    if (draft.single && scene.orientations != Orientations{})
+      draft.orientations = scene.orientations;
+    sets.push_back(write_map(kSetKeys, draft));
+  }
+  if (stand_in_set(scene)) return std::move(sets.front());
+  return to_node(std::move(sets));
+}
+
+std::optional<Node> write_orientations(const Scene& scene) {
+  if (stand_in_set(scene) || scene.orientations == Orientations{}) return std::nullopt;
+  return write_map(kOrientationKeys, scene.orientations);
+}
+
+}  // namespace delos

@@ -1,0 +1,39 @@
+#include "delos/scene/scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdlib>
+
+#include "scene/words.h"
+
+namespace delos {
+
+const char* to_string(Fusion fusion) { return word_of(kFusionWords, fusion); }
+const char* to_string(CovarianceKind kind) { return word_of(kCovarianceWords, kind); }
+
+Pose pose_of(const Placement& placement) {
+  Pose pose;
+  pose.p = placement.at;
+  if (const auto* rpy = std::get_if<Rpy>(&placement.facing))
+    pose.R = rotation_from_rpy(rpy->angles);
+  if (const auto* q = std::get_if<QuaternionWxyz>(&placement.facing)) {
+    // Scaled first, so that the square of its length can't overflow or vanish.
+    const Eigen::Vector4d u = q->wxyz.stableNormalized();
+    pose.R = Eigen::Quaterniond(u[0], u[1], u[2], u[3]).toRotationMatrix();
+  }
+  if (const auto* aim = std::get_if<Aim>(&placement.facing))
+    pose.R = rotation_from_aim(placement.at, aim->at);
+  return pose;
+}
+
+Pose device_pose(const Scene& scene, const DeviceEntry& device) {
+  const Pose X_GS = pose_of(device.placement);
+  if (device.group.empty()) return X_GS;
+  const auto group =
+      std::find_if(scene.groups.begin(), scene.groups.end(),
+                   [&](const Group& g) { return g.name == device.group; });
+  if (group == scene.groups.end()) std::abort();
+  return pose_of(group->placement) * X_GS;
+}
+
+}  // namespace delos

@@ -1,0 +1,180 @@
+#include "scene/scene_keys.h"
+
+#include <algorithm>
+
+#include "delos/scene/units.h"
+#include "scene/device_keys.h"
+#include "scene/motion_keys.h"
+#include "scene/node_text.h"
+#include "scene/sample_keys.h"
+#include "scene/words.h"
+
+namespace delos {
+namespace {
+
+using Written = std::optional<Node>;
+
+/// The version of the scene format that this program reads and writes.
+constexpr int kFormat = 1;
+
+/// A scene while it is read.
+struct Draft {
+  Scene scene;
+  bool motion_known = false;
+};
+
+void read_format(Reader& reader, const Place& at, Draft&) {
+  const auto text = reader.word(at);
+  if (text && *text != std::to_string(kFormat))
+    reader.error(at, "'" + *text + "' isn't a format version that this program reads; "
+                     "it reads " + std::to_string(kFormat));
+}
+
+// ---- target ----
+
+constexpr std::array<Key<Scene>, 1> kTargetKeys = {{
+    {"markers", Need::optional, "points on the target [[x, y, z], …], metres, in its frame",
+     [](Reader& r, const Place& p, Scene& s) {
+       if (auto markers = r.vectors3(p, "m")) s.markers = std::move(*markers);
+     },
+     [](const Scene& s) -> Written { return to_node(s.markers); }},
+}};
+
+// ---- the scene ----
+
+// Read in this order: devices need the groups and the motion's state.
+constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
+    {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
+     read_format, [](const Draft&) -> Written { return to_node(kFormat); }},
+    {"name", Need::optional, "a title",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (auto name = r.word(p)) d.scene.name = std::move(*name);
+     },
+     [](const Draft& d) -> Written {
+       if (d.scene.name.empty()) return std::nullopt;
+       return to_node(d.scene.name);
+     }},
+    {"motion", Need::required, "how the target is expected to move",
+     [](Reader& r, const Place& p, Draft& d) {
+       const std::size_t before = r.findings.errors();
+       read_motion(r, p, d.scene.motion);
+       d.motion_known = r.findings.errors() == before;
+     },
+     [](const Draft& d) -> Written { return write_motion(d.scene.motion); }},
+    {"fusion", Need::optional, "how the measurements of several devices come together",
+     [](Reader& r, const Place& p, Draft& d) {
+       d.scene.fusion = r.choice(p, kFusionWords);
+     },
+     [](const Draft& d) -> Written {
+       if (!d.scene.fusion) return std::nullopt;
+       return to_node(to_string(*d.scene.fusion));
+     }},
+    {"sample", Need::required, "where the system is evaluated",
+     [](Reader& r, const Place& p, Draft& d) { read_samples(r, p, d.scene); },
+     [](const Draft& d) -> Written { return write_samples(d.scene); }},
+    {"orientations", Need::optional, "target orientations tried at each point",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_orientations(r, p, d.scene.orientations);
+     },
+     [](const Draft& d) -> Written { return write_orientations(d.scene); }},
+    {"covariance", Need::optional, "the one that the metric reads: prior or posterior",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (const auto kind = r.choice(p, kCovarianceWords)) d.scene.covariance = *kind;
+     },
+     [](const Draft& d) -> Written { return to_node(to_string(d.scene.covariance)); }},
+    {"metric", Need::optional, "the number that is shown",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (auto metric = r.word(p)) d.scene.metric = std::move(*metric);
+     },
+     [](const Draft& d) -> Written { return to_node(d.scene.metric); }},
+    {"target", Need::optional, "the thing that is tracked",
+     [](Reader& r, const Place& p, Draft& d) { read_map(r, p, kTargetKeys, d.scene); },
+     [](const Draft& d) -> Written {
+       if (d.scene.markers == Scene{}.markers) return std::nullopt;
+       return write_map(kTargetKeys, d.scene);
+     }},
+    {"groups", Need::optional, "poses that their members are relative to",
+     [](Reader& r, const Place& p, Draft& d) { read_groups(r, p, d.scene.groups); },
+     [](const Draft& d) -> Written {
+       if (d.scene.groups.empty()) return std::nullopt;
+       return write_groups(d.scene.groups);
+     }},
+    {"devices", Need::required, "what measures",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_devices(r, p, d.motion_known, d.scene);
+     },
+     [](const Draft& d) -> Written { return write_devices(d.scene.devices); }},
+    {"beacons", Need::later, "sets of beacons for inside-out devices"},
+    {"occluders", Need::later, "what blocks the sight"},
+    {"variables", Need::later, "what a search may change"},
+    {"constraints", Need::later, "what a search must keep"},
+    {"objective", Need::later, "what a search makes small"},
+}};
+
+/// Two devices whose rates differ, or null.
+std::pair<const DeviceEntry*, const DeviceEntry*> different_rates(const Scene& scene) {
+  for (const DeviceEntry& device : scene.devices)
+    if (device.rate != scene.devices.front().rate) return {&scene.devices.front(), &device};
+  return {nullptr, nullptr};
+}
+
+std::string rates_text(const DeviceEntry& a, const DeviceEntry& b) {
+  return a.name + " has " + shortest(a.rate) + " Hz and " + b.name + " has " +
+         shortest(b.rate) + " Hz";
+}
+
+/// Fusion, motion and rates must fit together.
+void check_fusion(Reader& reader, const Place& root, const Scene& scene) {
+  const auto [a, b] = different_rates(scene);
+  const Node* given = root.node().find("fusion");
+  const auto refuse = [&](const std::string& problem) {
+    // Where fusion isn't given, the type of motion is what leaves no choice.
+    const Node* motion = root.node().find("motion");
+    reader.error_within(root, given ? given->mark : motion->mark,
+                        given ? "fusion" : "motion", problem);
+  };
+  const bool custom = !scene.motion.is_chain();
+  if (scene.fusion == Fusion::stacked && a)
+    refuse("stacked needs one rate, but " + rates_text(*a, *b) +
+           (custom ? "; make them equal" : "; use continuous or periodic"));
+  if (!custom) return;
+  if (scene.fusion == Fusion::continuous || scene.fusion == Fusion::periodic)
+    refuse(std::string(to_string(*scene.fusion)) +
+           " needs a motion in continuous time, which custom motion isn't; use stacked");
+  else if (a && (!scene.fusion || scene.fusion == Fusion::artemis ||
+                 scene.fusion == Fusion::sequential))
+    refuse("custom motion is one update of one rate, but " + rates_text(*a, *b) +
+           "; make them equal");
+}
+
+/// Orientations stand in `sample` or beside it, not in both.
+void check_orientations(Reader& reader, const Place& root) {
+  const Node* beside = root.node().find("orientations");
+  const Node* sample = root.node().find("sample");
+  if (beside && sample && sample->find("orientations"))
+    reader.error_within(root, beside->mark, "orientations",
+                        "are given inside 'sample' already; keep one");
+}
+
+}  // namespace
+
+Scene read_scene(Reader& reader, const Node& root) {
+  Draft draft;
+  const Place place(root);
+  if (root.kind == Node::Kind::null) {
+    reader.error(place, "the scene is empty; begin the file with 'delos: 1'");
+    return {};
+  }
+  if (!read_map(reader, place, kSceneKeys, draft)) return {};
+  check_orientations(reader, place);
+  const bool rates_known =
+      !draft.scene.devices.empty() &&
+      std::all_of(draft.scene.devices.begin(), draft.scene.devices.end(),
+                  [](const DeviceEntry& d) { return d.rate > 0; });
+  if (draft.motion_known && rates_known) check_fusion(reader, place, draft.scene);
+  return std::move(draft.scene);
+}
+
+Node scene_node(const Scene& scene) { return write_map(kSceneKeys, Draft{scene, true}); }
+
+}  // namespace delos

@@ -1,0 +1,14 @@
+// The whole scene: its top-level keys and the checks that need several of them.
+#pragma once
+
+#include "delos/scene/scene.h"
+#include "scene/keys.h"
+
+namespace delos {
+
+/// @returns a scene that is complete where the reader has no findings.
+[[nodiscard]] Scene read_scene(Reader& reader, const Node& root);
+
+[[nodiscard]] Node scene_node(const Scene& scene);
+
+}  // namespace delos

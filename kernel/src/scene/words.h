@@ -1,0 +1,42 @@
+// The words that scenes use for enumerators, each declared once.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "delos/scene/scene.h"
+
+namespace delos {
+
+inline constexpr std::pair<const char*, Fusion> kFusionWords[] = {
+    {"stacked", Fusion::stacked},       {"continuous", Fusion::continuous},
+    {"periodic", Fusion::periodic},     {"sequential", Fusion::sequential},
+    {"artemis", Fusion::artemis},
+};
+
+inline constexpr std::pair<const char*, CovarianceKind> kCovarianceWords[] = {
+    {"prior", CovarianceKind::prior},
+    {"posterior", CovarianceKind::posterior},
+};
+
+inline constexpr std::pair<const char*, OrientationRule> kOrientationRuleWords[] = {
+    {"worst", OrientationRule::worst},
+    {"mean", OrientationRule::mean},
+};
+
+inline constexpr std::pair<const char*, PoseState> kPoseStateWords[] = {
+    {"position", PoseState::position},
+    {"orientation", PoseState::orientation},
+    {"pose", PoseState::pose},
+};
+
+/// The word of an enumerator.
+/// @pre the table has it
+template <class Enum, std::size_t N>
+constexpr const char* word_of(const std::pair<const char*, Enum> (&words)[N], Enum value) {
+  std::size_t i = 0;
+  while (words[i].second != value) ++i;
+  return words[i].first;
+}
+
+}  // namespace delos
