@@ -45,7 +45,8 @@ void add_check_command(CLI::App& program, int& exit_code) {
   auto command = std::make_shared<CheckCommand>();
   CLI::App* app = program.add_subcommand("check", "Are these scenes in order?");
   app->add_option("scenes", command->scenes, "Scene files")->required();
-  app->add_option("--set", command->options.set, "Change a value: PATH=VALUE, repeatable")
+  app->add_option("--set", command->options.set,
+                  "Change a value: PATH=VALUE, repeatable")
       ->allow_extra_args(false);
   app->add_option("--plugin-dir", command->options.plugin_dirs,
                   "Folder with device plugins, searched first; repeatable")

@@ -18,13 +18,15 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("--fusion", options.fusion,
                      "stacked, continuous, periodic, sequential or artemis");
   command.add_option("--covariance", options.covariance, "prior or posterior");
-  command.add_option("--solver", options.solver, "auto, spectral, doubling or eigenvector")
+  command
+      .add_option("--solver", options.solver, "auto, spectral, doubling or eigenvector")
       ->capture_default_str();
   command.add_option("--threads", options.threads, "Threads; 0: one a core")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command.add_option("--plugin-dir", options.plugin_dirs,
-                     "Folder with device plugins, searched first; repeatable")
+  command
+      .add_option("--plugin-dir", options.plugin_dirs,
+                  "Folder with device plugins, searched first; repeatable")
       ->allow_extra_args(false);
   command.add_flag("--json", options.json, "One JSON document on stdout, nothing else");
 }
@@ -36,8 +38,9 @@ std::vector<Override> overrides_of(const SceneOptions& options) {
   for (const std::string& text : options.set) {
     std::optional<Override> change = parse_override(text);
     if (!change) {
-      throw Failure{kUsage, "--set '" + text + "': write PATH=VALUE, for example "
-                            "--set devices.cam1.at.z=2.5"};
+      throw Failure{kUsage, "--set '" + text +
+                                "': write PATH=VALUE, for example "
+                                "--set devices.cam1.at.z=2.5"};
     }
     overrides.push_back(std::move(*change));
   }
@@ -103,8 +106,9 @@ Eigen::Vector3d three_numbers(const std::string& text, const char* unit,
   for (int i = 0; i < 3; ++i) {
     const std::size_t comma = text.find(',', from);
     if ((comma == std::string::npos) != (i == 2)) {
-      throw Failure{kUsage, std::string(option) + " '" + text +
-                                "': write three values with commas, for example 0.5,1,1.8"};
+      throw Failure{kUsage,
+                    std::string(option) + " '" + text +
+                        "': write three values with commas, for example 0.5,1,1.8"};
     }
     const auto value = parse_quantity(text.substr(from, comma - from), unit);
     if (const auto* problem = std::get_if<std::string>(&value)) {

@@ -39,8 +39,9 @@ void print(std::ostream& out, const std::vector<Field>& fields,
   const auto value = [&](double v) { return format_quantity(v, unit); };
   out << fields.front().metric << " over " << fields.front().samples.points.size()
       << " samples of " << fields.front().scene << "\n"
-      << std::left << std::setw(44) << "scene" << std::setw(12) << "least" << std::setw(12)
-      << "median" << std::setw(12) << "95 %" << std::setw(12) << "greatest"
+      << std::left << std::setw(44) << "scene" << std::setw(12) << "least"
+      << std::setw(12) << "median" << std::setw(12) << "95 %" << std::setw(12)
+      << "greatest"
       << "observable\n";
   for (const Field& f : fields) {
     const FieldStatistics s = summarize(f);
@@ -50,8 +51,8 @@ void print(std::ostream& out, const std::vector<Field>& fields,
   }
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const Comparison& c = comparisons[i];
-    out << fields[i + 1].scene << " against the first: better at " << std::setprecision(3)
-        << 100 * c.improved_fraction << " % of the samples";
+    out << fields[i + 1].scene << " against the first: better at "
+        << std::setprecision(3) << 100 * c.improved_fraction << " % of the samples";
     if (c.common > 0) {
       out << ", by " << value(c.mean) << " in the mean, from " << value(c.min) << " to "
           << value(c.max);
@@ -71,8 +72,8 @@ int run(const CompareCommand& command) {
     if (scenes[i].metric.name != metric.name || scenes[i].metric.unit != metric.unit) {
       throw Failure{kUsage, command.scenes[i].string() + " shows " +
                                 scenes[i].metric.name + " and " +
-                                command.scenes.front().string() + " shows " + metric.name +
-                                "; choose one for all with --metric"};
+                                command.scenes.front().string() + " shows " +
+                                metric.name + "; choose one for all with --metric"};
     }
   }
   const Samples samples = make_samples(scenes.front().scene.samples);
@@ -87,7 +88,8 @@ int run(const CompareCommand& command) {
   for (const LoadedScene& scene : scenes) {
     fields.push_back(evaluate(scene, samples, command.options));
     if (fields.back().cancelled) {
-      std::cerr << "delos: stopped; a comparison needs every scene, nothing was written\n";
+      std::cerr
+          << "delos: stopped; a comparison needs every scene, nothing was written\n";
       return kCancelled;
     }
     if (fields.size() == 1) continue;
@@ -106,7 +108,8 @@ int run(const CompareCommand& command) {
   }
   Json json;
   json["scenes"] = Json::array();
-  for (const Field& field : fields) json["scenes"].push_back(Json::parse(field_json(field)));
+  for (const Field& field : fields)
+    json["scenes"].push_back(Json::parse(field_json(field)));
   json["difference"] = to_json(comparisons.front());
   if (comparisons.size() > 1) {
     json["differences"] = Json::array();
@@ -121,13 +124,15 @@ int run(const CompareCommand& command) {
 void add_compare_command(CLI::App& program, int& exit_code) {
   auto command = std::make_shared<CompareCommand>();
   CLI::App* app = program.add_subcommand(
-      "compare", "Scenes side by side, and their differences, on the first one's samples");
+      "compare",
+      "Scenes side by side, and their differences, on the first one's samples");
   app->add_option("scenes", command->scenes, "Scene files, two or more")
       ->required()
       ->expected(2, 1000);
   add_scene_options(*app, command->options);
-  app->add_option("--out", command->out,
-                  "Write the difference, later minus first; of a third scene to NAME-3, …")
+  app->add_option(
+         "--out", command->out,
+         "Write the difference, later minus first; of a third scene to NAME-3, …")
       ->allow_extra_args(false);
   app->footer(
       "Example:\n"

@@ -26,12 +26,14 @@ std::filesystem::path scenes_folder() {
     if (std::filesystem::exists(folder / kScene)) return folder;
   }
   throw Failure{kInternal, "the demonstration scene " + std::string(kScene) +
-                               " is missing from " + (prefix / "share/delos/scenes").string()};
+                               " is missing from " +
+                               (prefix / "share/delos/scenes").string()};
 }
 
 int terminal_columns() {
   winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    return size.ws_col;
   return 80;
 }
 
@@ -48,7 +50,8 @@ int run(const SceneOptions& options, const std::filesystem::path& out) {
   print_summary(std::cout, loaded, field);
   const bool colour = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
   std::cout << "\n"
-            << terminal_picture(field, std::min(terminal_columns(), 100), colour, picture)
+            << terminal_picture(field, std::min(terminal_columns(), 100), colour,
+                                picture)
             << "\nThe picture: " << out.string() << "\nThe scene:   " << file.string()
             << "\nTry next:    delos point " << file.string() << " --at 0,0,1.5\n";
   return field.cancelled ? kCancelled : kDone;

@@ -83,8 +83,8 @@ void print_markdown(const PluginInfo& info) {
   for (std::uint32_t i = 0; i < info.n_params; ++i) {
     const ParamSpec& p = info.params[i];
     std::cout << "| `" << p.name << "` | " << word(p.kind) << " | " << p.unit << " | "
-              << cell(default_of(p)) << " | " << cell(range_of(p)) << " | " << cell(p.help)
-              << " |\n";
+              << cell(default_of(p)) << " | " << cell(range_of(p)) << " | "
+              << cell(p.help) << " |\n";
   }
 }
 
@@ -136,7 +136,8 @@ int show_all(const DevicesCommand& command, PluginRegistry& plugins) {
 
 void add_devices_command(CLI::App& program, int& exit_code) {
   auto command = std::make_shared<DevicesCommand>();
-  CLI::App* app = program.add_subcommand("devices", "Device plugins and their parameters");
+  CLI::App* app =
+      program.add_subcommand("devices", "Device plugins and their parameters");
   app->add_option("id", command->id, "One device: its parameter table");
   app->add_option("--plugin-dir", command->plugin_dirs,
                   "Folder with device plugins, searched first; repeatable")

@@ -42,7 +42,8 @@ int run(const FieldCommand& command) {
 
   const Field field = evaluate(loaded, samples, command.options);
   for (const auto& file : command.out) {
-    if (const std::string problem = write_field(field, file, picture); !problem.empty()) {
+    if (const std::string problem = write_field(field, file, picture);
+        !problem.empty()) {
       throw Failure{kDiagnostics, problem};
     }
   }
@@ -76,7 +77,8 @@ void add_field_command(CLI::App& program, int& exit_code) {
   app->footer(
       "Examples:\n"
       "  delos field scenes/01-acoustic.yaml --json\n"
-      "  delos field scenes/05-optitrack-lab.yaml --out lab.vti --out lab.png --slice 1.6\n"
+      "  delos field scenes/05-optitrack-lab.yaml --out lab.vti --out lab.png --slice "
+      "1.6\n"
       "  delos field scenes/01-acoustic.yaml --set devices.s1.at.z='90 cm' --metric "
       "sigma_z");
   app->callback([command, &exit_code] { exit_code = run(*command); });

@@ -1,4 +1,5 @@
-// Ctrl-C as a request: the first one stops the work cleanly, the second one ends at once.
+// Ctrl-C as a request: the first one stops the work cleanly, the second one ends at
+// once.
 #pragma once
 
 #include <atomic>

@@ -8,18 +8,21 @@
 int main(int argc, char** argv) {
   using namespace delos::cli;
   CLI::App program{
-      "Delos computes the best accuracy that any algorithm could reach with a tracking\n"
+      "Delos computes the best accuracy that any algorithm could reach with a "
+      "tracking\n"
       "system, throughout its working volume: the steady-state error covariance.",
       "delos"};
   program.set_version_flag("--version", "delos " DELOS_VERSION);
   program.require_subcommand(1);
   program.footer(
       "Examples:\n"
-      "  delos demo                                   a real laboratory, with a picture\n"
+      "  delos demo                                   a real laboratory, with a "
+      "picture\n"
       "  delos field scenes/01-acoustic.yaml          the field and its statistics\n"
       "  delos point scenes/01-acoustic.yaml --at 0.2,0.2,0.4\n"
       "  delos devices pinhole_camera                 a device's parameters\n"
-      "Exit codes: 0 done, 1 scene or plugin at fault, 2 usage, 3 cancelled, 70 internal.");
+      "Exit codes: 0 done, 1 scene or plugin at fault, 2 usage, 3 cancelled, 70 "
+      "internal.");
 
   int exit_code = kDone;
   add_field_command(program, exit_code);

@@ -19,7 +19,8 @@ struct PointCommand {
   std::string at, rpy = "0,0,0";
 };
 
-/// Rows and columns of states that reach into a lost direction have no finite covariance.
+/// Rows and columns of states that reach into a lost direction have no finite
+/// covariance.
 StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
   for (Eigen::Index i = 0; i < unobservable.rows(); ++i) {
     if (unobservable.row(i).cwiseAbs().maxCoeff() < 1e-9) continue;
@@ -47,7 +48,8 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   json["unobservable_directions"] = rows(state.unobservable.transpose());
   json["metrics"] = Json::object();
   for (const MetricValue& m : report.metrics) {
-    json["metrics"][m.metric.name] = {{"value", number(m.value)}, {"unit", m.metric.unit}};
+    json["metrics"][m.metric.name] = {{"value", number(m.value)},
+                                      {"unit", m.metric.unit}};
   }
   json["P_prior"] = covariance(state.prior);
   json["P_posterior"] = covariance(state.posterior);
@@ -83,18 +85,18 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
   const FusedState& state = report.state;
   out << loaded.scene.name << " at (" << report.pose.p.x() << ", " << report.pose.p.y()
       << ", " << report.pose.p.z() << ") m: "
-      << (state.status == RiccatiStatus::converged
-              ? "every direction is observed"
+      << (state.status == RiccatiStatus::converged ? "every direction is observed"
           : state.status == RiccatiStatus::unobservable
               ? "some directions are not observed"
               : "the iteration did not settle")
       << "\n";
   for (Eigen::Index i = 0; i < state.unobservable.cols(); ++i) {
-    out << "  lost: " << direction(loaded.scene.motion.layout, state.unobservable.col(i))
-        << "\n";
+    out << "  lost: "
+        << direction(loaded.scene.motion.layout, state.unobservable.col(i)) << "\n";
   }
   out << to_string(loaded.system.fusion) << " fusion, "
-      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori" : "a-posteriori")
+      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
+                                                            : "a-posteriori")
       << ", solver " << to_string(report.solver) << "\n";
   for (const MetricValue& m : report.metrics) {
     out << "  " << std::left << std::setw(18) << m.metric.name
@@ -143,7 +145,8 @@ void add_point_command(CLI::App& program, int& exit_code) {
   auto command = std::make_shared<PointCommand>();
   CLI::App* app = program.add_subcommand("point", "Everything about one point");
   app->add_option("scene", command->scene, "Scene file")->required();
-  app->add_option("--at", command->at, "Position X,Y,Z, metres or with units")->required();
+  app->add_option("--at", command->at, "Position X,Y,Z, metres or with units")
+      ->required();
   app->add_option("--rpy", command->rpy, "Orientation R,P,Y, radians or with units")
       ->capture_default_str();
   add_scene_options(*app, command->options);

@@ -34,7 +34,8 @@ void Progress::update(std::size_t done, std::size_t all) {
   shown_ = now;
   const double part = static_cast<double>(done) / static_cast<double>(all);
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const auto left = static_cast<long>(std::ceil(part > 0 ? elapsed / part - elapsed : 0));
+  const auto left =
+      static_cast<long>(std::ceil(part > 0 ? elapsed / part - elapsed : 0));
   const int percent = static_cast<int>(100 * part);
   if (terminal_) {
     const auto filled = static_cast<std::size_t>(part * kWidth);

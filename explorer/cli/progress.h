@@ -7,8 +7,8 @@
 
 namespace delos::cli {
 
-/// Shows nothing in the first second; then a bar that is redrawn on a terminal, or a line
-/// every few seconds elsewhere.
+/// Shows nothing in the first second; then a bar that is redrawn on a terminal, or a
+/// line every few seconds elsewhere.
 class Progress {
  public:
   explicit Progress(std::string label);

@@ -11,7 +11,8 @@ namespace {
 
 std::string coordinates(const Eigen::Vector3d& p) {
   std::ostringstream text;
-  text << std::setprecision(4) << "(" << p.x() << ", " << p.y() << ", " << p.z() << ") m";
+  text << std::setprecision(4) << "(" << p.x() << ", " << p.y() << ", " << p.z()
+       << ") m";
   return text.str();
 }
 
@@ -22,12 +23,14 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
   out << loaded.scene.name << "\n"
       << field.metric << " of the "
-      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori" : "a-posteriori")
+      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
+                                                            : "a-posteriori")
       << " covariance, " << to_string(loaded.system.fusion) << " fusion, "
       << loaded.system.devices.size() << " devices\n"
       << s.samples << " samples, " << s.observable << " observable\n";
   if (s.finite == 0) {
-    out << "  " << field.metric << " is finite nowhere: no sample is seen well enough\n";
+    out << "  " << field.metric
+        << " is finite nowhere: no sample is seen well enough\n";
     return;
   }
   const bool up = loaded.metric.larger_is_better;
@@ -41,8 +44,9 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   if (field.unit == "m" || field.unit == "rad") {
     out << "This is scatter: a bias that the scene doesn't model comes on top.\n";
   }
-  out << field.evaluations << " evaluations in " << std::setprecision(3) << field.seconds
-      << " s on " << field.threads << (field.threads == 1 ? " thread\n" : " threads\n");
+  out << field.evaluations << " evaluations in " << std::setprecision(3)
+      << field.seconds << " s on " << field.threads
+      << (field.threads == 1 ? " thread\n" : " threads\n");
 }
 
 }  // namespace delos::cli

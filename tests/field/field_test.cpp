@@ -17,7 +17,8 @@ using testing::metric_of;
 
 Field field_of(const System& system, const Samples& samples, const std::string& metric,
                FieldOptions options = {}, const Orientations& orientations = {}) {
-  return evaluate_field(system, samples, orientations, metric_of(system, metric), options);
+  return evaluate_field(system, samples, orientations, metric_of(system, metric),
+                        options);
 }
 
 struct PublishedRate {
@@ -26,14 +27,14 @@ struct PublishedRate {
 };
 
 // Allen (2007), dissertation, Table 6.2. The geometry is inferred (docs/theory.md): the
-// maxima agree within one unit of the printed last digit; the minima depend on the unknown
-// top of the volume below 50 Hz.
+// maxima agree within one unit of the printed last digit; the minima depend on the
+// unknown top of the volume below 50 Hz.
 class Table62 : public ::testing::TestWithParam<PublishedRate> {};
 
 TEST_P(Table62, EigMaxOfTheAcousticTracker) {
   const System system = acoustic_system(GetParam().rate);
-  const Field field = field_of(system, testing::volume({0, 0, 0}, {0.4, 0.4, 0.8}, 0.04),
-                               "eigmax");
+  const Field field =
+      field_of(system, testing::volume({0, 0, 0}, {0.4, 0.4, 0.8}, 0.04), "eigmax");
   const FieldStatistics s = summarize(field);
   EXPECT_EQ(s.samples, 11u * 11u * 21u);
   EXPECT_EQ(s.observable, s.samples);
@@ -112,7 +113,8 @@ TEST(Field, BlindSamplesAreInfiniteAndCounted) {
   for (PlacedDevice& d : system.devices) {
     d.device = std::make_shared<testing::TestRange>(0.005, 0.8);
   }
-  const Samples samples = testing::points({{0.2, 0.2, 0.6}, {0.2, 0.2, 0.0}, {0, 0, 0.3}});
+  const Samples samples =
+      testing::points({{0.2, 0.2, 0.6}, {0.2, 0.2, 0.0}, {0, 0, 0.3}});
   const Field field = field_of(system, samples, "eigmax");
   EXPECT_TRUE(std::isfinite(field.value[0]));
   EXPECT_TRUE(std::isinf(field.value[1])) << "none reaches 1.05 m";
@@ -137,7 +139,8 @@ TEST(Field, ASigmaIsFiniteWhereItsOwnStateIsObserved) {
   EXPECT_EQ(field_of(system, below, "sigma_z").observable[0], 0);
 }
 
-// A marker half a metre off the target's centre, turned towards and away from the speakers.
+// A marker half a metre off the target's centre, turned towards and away from the
+// speakers.
 TEST(Field, OrientationsCombineByWorstOrMean) {
   System system = acoustic_system();
   system.markers = {{0, 0, 0.5}};

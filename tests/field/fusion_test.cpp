@@ -27,9 +27,9 @@ System direct_system(const std::vector<std::pair<double, double>>& devices, doub
   system.markers = {Eigen::Vector3d::Zero()};
   for (const auto& [period, variance] : devices) {
     const Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
-    system.devices.push_back(testing::place(
-        "d", std::make_shared<TestLinear>(Span::point, H, variance * H), Pose{},
-        1 / period));
+    system.devices.push_back(
+        testing::place("d", std::make_shared<TestLinear>(Span::point, H, variance * H),
+                       Pose{}, 1 / period));
     system.devices.back().period = period;
   }
   return system;
@@ -38,12 +38,12 @@ System direct_system(const std::vector<std::pair<double, double>>& devices, doub
 double millimetres(double variance) { return 1000 * std::sqrt(variance); }
 
 struct FusionRow {
-  std::vector<std::pair<double, double>> devices;  // period [s], variance [m²]
+  std::vector<std::pair<double, double>> devices;    // period [s], variance [m²]
   double artemis, continuous, average, worst, best;  // standard deviations, mm
 };
 
-// Source of the numbers: an explicit filter recursion, 1-D PV with q = 0.3 m²/s³; the table
-// of docs/theory.md, "Several devices, several rates", to its printed digits.
+// Source of the numbers: an explicit filter recursion, 1-D PV with q = 0.3 m²/s³; the
+// table of docs/theory.md, "Several devices, several rates", to its printed digits.
 class FusionTable : public ::testing::TestWithParam<FusionRow> {};
 
 TEST_P(FusionTable, IsReproduced) {
@@ -65,9 +65,12 @@ TEST_P(FusionTable, IsReproduced) {
 INSTANTIATE_TEST_SUITE_P(
     Table, FusionTable,
     ::testing::Values(
-        FusionRow{{{0.02, 1e-3}, {0.02, 1e-3}}, 19.1714, 13.6426, 13.8003, 15.0164, 12.4662},
-        FusionRow{{{0.02, 1e-3}, {0.05, 1e-4}}, 14.9139, 9.6754, 10.1205, 12.7200, 7.6292},
-        FusionRow{{{0.001, 1e-6}, {0.033, 1e-5}}, 1.6885, 0.4309, 0.4322, 0.4523, 0.4086}));
+        FusionRow{
+            {{0.02, 1e-3}, {0.02, 1e-3}}, 19.1714, 13.6426, 13.8003, 15.0164, 12.4662},
+        FusionRow{
+            {{0.02, 1e-3}, {0.05, 1e-4}}, 14.9139, 9.6754, 10.1205, 12.7200, 7.6292},
+        FusionRow{
+            {{0.001, 1e-6}, {0.033, 1e-5}}, 1.6885, 0.4309, 0.4322, 0.4523, 0.4086}));
 
 TEST(Fusion, StackedIsTheWorstPriorOfEqualRates) {
   System system = direct_system({{0.02, 1e-3}, {0.02, 1e-3}}, 0.3);
@@ -75,8 +78,9 @@ TEST(Fusion, StackedIsTheWorstPriorOfEqualRates) {
   EXPECT_NEAR(millimetres(state_at(system, {}).prior(0, 0)), 15.0164, 5.1e-5);
 }
 
-// One device per update that measures everything, in turns of equal length, is one device
-// at that rate: the sequential cycle of two equal devices equals the stacked one of one.
+// One device per update that measures everything, in turns of equal length, is one
+// device at that rate: the sequential cycle of two equal devices equals the stacked one
+// of one.
 TEST(Fusion, SequentialTurnsOfEqualDevicesAreOneDevice) {
   System turns = direct_system({{0.02, 1e-3}, {0.02, 1e-3}}, 0.3);
   turns.fusion = Fusion::sequential;
@@ -174,8 +178,8 @@ TEST(Fusion, NamesTheLostDirectionAndKeepsTheRest) {
     EXPECT_LT((projector - expected).norm(), 1e-12);
 
     // x alone: z = x with R = 0.005 m², q = 0.3951529079.
-    MotionModel one = testing::chain_motion(
-        PoseState::position, 2, 0.3951529079 * Eigen::Matrix3d::Identity());
+    MotionModel one = testing::chain_motion(PoseState::position, 2,
+                                            0.3951529079 * Eigen::Matrix3d::Identity());
     System x_alone = direct_system({{0.02, 0.005}}, 0.3951529079);
     x_alone.motion = one;
     const FusedState reference = state_at(x_alone, {}, Solver::doubling);
@@ -186,14 +190,16 @@ TEST(Fusion, NamesTheLostDirectionAndKeepsTheRest) {
   }
 }
 
-// R = 0 in one of three directions: the limit of R → 0, and no variance after an update.
+// R = 0 in one of three directions: the limit of R → 0, and no variance after an
+// update.
 TEST(Fusion, APerfectMeasurementIsSolvedByTheGeneralPath) {
   const auto system_with = [](double r) {
     System system = testing::acoustic_system();
     Eigen::Matrix3d R = 0.01 * Eigen::Matrix3d::Identity();
     R(1, 1) = r;
     system.devices = {testing::place(
-        "exact", std::make_shared<TestLinear>(Span::point, Eigen::Matrix3d::Identity(), R),
+        "exact",
+        std::make_shared<TestLinear>(Span::point, Eigen::Matrix3d::Identity(), R),
         Pose{}, 50)};
     return system;
   };
@@ -202,7 +208,8 @@ TEST(Fusion, APerfectMeasurementIsSolvedByTheGeneralPath) {
   ASSERT_EQ(exact.status, RiccatiStatus::converged);
   EXPECT_NEAR(exact.posterior(1, 1), 0, 1e-18);
   EXPECT_LT((exact.prior - nearly.prior).norm(), 1e-5 * exact.prior.norm());
-  EXPECT_LT((exact.prior.block<1, 1>(0, 0) - nearly.prior.block<1, 1>(0, 0)).norm(), 1e-15);
+  EXPECT_LT((exact.prior.block<1, 1>(0, 0) - nearly.prior.block<1, 1>(0, 0)).norm(),
+            1e-15);
 
   // Measured all the time without noise, the direction and its velocity are known.
   System continuous = system_with(0);

@@ -16,10 +16,11 @@ System many_devices() {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 16; ++i) {
-    system.devices.push_back(testing::place(
-        "extra", std::make_shared<testing::TestRange>(0.01, 1.2),
-        {Eigen::Matrix3d::Identity(), {uniform(random), uniform(random), uniform(random)}},
-        50));
+    system.devices.push_back(
+        testing::place("extra", std::make_shared<testing::TestRange>(0.01, 1.2),
+                       {Eigen::Matrix3d::Identity(),
+                        {uniform(random), uniform(random), uniform(random)}},
+                       50));
   }
   return system;
 }
@@ -52,8 +53,8 @@ TEST(Layers, AMovedDeviceRecomputesOneLayerToTheSameBytes) {
 TEST(Layers, MotionMetricAndRateRecomputeNoDevice) {
   System system = many_devices();
   InformationLayers layers(system, grid_poses());
-  system.motion = testing::chain_motion(PoseState::position, 3,
-                                        Eigen::Matrix3d::Identity() * 0.1);
+  system.motion =
+      testing::chain_motion(PoseState::position, 3, Eigen::Matrix3d::Identity() * 0.1);
   EXPECT_EQ(layers.update(system), 0u);
   system.fusion = Fusion::continuous;
   system.devices[3].period = 0.005;
@@ -106,16 +107,16 @@ TEST(Layers, WhitenedRowsSquareToTheInformation) {
   }
 }
 
-// A marker on an arm turns with the target: δz = H (δp + δθ × R m). By differences of the
-// range itself.
+// A marker on an arm turns with the target: δz = H (δp + δθ × R m). By differences of
+// the range itself.
 TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
   System system;
   system.motion =
       testing::chain_motion(PoseState::pose, 1, CoordinateMatrix::Identity(6, 6));
   system.markers = {{0.3, -0.1, 0.2}};
   const Pose X_WS{rotation_from_rpy({0.3, -0.2, 0.5}), {1, 2, 3}};
-  system.devices = {testing::place("r", std::make_shared<testing::TestRange>(0.005), X_WS,
-                                   50)};
+  system.devices = {
+      testing::place("r", std::make_shared<testing::TestRange>(0.005), X_WS, 50)};
   const TargetPose pose{rotation_from_rpy({0.4, 0.1, -0.7}), {0.2, 0.1, -0.3}};
   const auto range = [&](const Eigen::Vector3d& dp, const Eigen::Vector3d& dtheta) {
     const Eigen::Matrix3d turn =
@@ -130,8 +131,8 @@ TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(axis), none(0, 0, 0);
     const double scale = 1 / std::sqrt(0.005 * z * z);
-    EXPECT_NEAR(w.rows(0, axis), scale * (range(step, none) - range(-step, none)) / (2 * h),
-                1e-7);
+    EXPECT_NEAR(w.rows(0, axis),
+                scale * (range(step, none) - range(-step, none)) / (2 * h), 1e-7);
     EXPECT_NEAR(w.rows(0, 3 + axis),
                 scale * (range(none, step) - range(none, -step)) / (2 * h), 1e-7);
   }

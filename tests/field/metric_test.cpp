@@ -1,11 +1,11 @@
 // Metrics against their definitions, written out for a diagonal covariance.
-#include "field/metric_value.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "field/metric_value.h"
 
 namespace delos {
 namespace {
@@ -21,7 +21,8 @@ Metric metric(const std::string& name, const StateLayout& layout) {
   return std::get<Metric>(parse_metric(name, layout));
 }
 
-double value(const std::string& name, const StateLayout& layout, const FusedState& state) {
+double value(const std::string& name, const StateLayout& layout,
+             const FusedState& state) {
   return state_metric(metric(name, layout), layout, state, CovarianceKind::prior);
 }
 
@@ -48,9 +49,9 @@ TEST(Metric, FollowsTheDefinitions) {
   const double det = 1. * 4 * 9 * 16 * 25 * 36;
   EXPECT_NEAR(value("mle", layout, state),
               std::pow(2 * std::numbers::pi, -3) / std::sqrt(det), 1e-18);
-  EXPECT_DOUBLE_EQ(state_metric(metric("trace", layout), layout, state,
-                                CovarianceKind::posterior),
-                   7);
+  EXPECT_DOUBLE_EQ(
+      state_metric(metric("trace", layout), layout, state, CovarianceKind::posterior),
+      7);
 }
 
 TEST(Metric, OfAPoseReadsItsOwnBlock) {
@@ -62,7 +63,8 @@ TEST(Metric, OfAPoseReadsItsOwnBlock) {
   EXPECT_DOUBLE_EQ(value("sigma_yaw", layout, state), std::sqrt(6.0));
   EXPECT_DOUBLE_EQ(value("sigma_vroll", layout, state), std::sqrt(10.0));
   EXPECT_DOUBLE_EQ(
-      value("eigmax", pv(PoseState::orientation), diagonal(Eigen::VectorXd::Ones(6))), 1);
+      value("eigmax", pv(PoseState::orientation), diagonal(Eigen::VectorXd::Ones(6))),
+      1);
 }
 
 TEST(Metric, CarriesItsUnit) {

@@ -57,10 +57,10 @@ TEST(Point, TheCarefulPathSeesWhatTheFormedInformationHasLost) {
   const double epsilon = 1e-9, r = 0.01;
   Eigen::MatrixXd H = Eigen::Matrix3d::Identity();
   H.row(2) << 1, 0, epsilon;
-  system.devices = {testing::place(
-      "nearly", std::make_shared<testing::TestLinear>(Span::point, H,
-                                                      r * Eigen::Matrix3d::Identity()),
-      Pose{}, 50)};
+  system.devices = {testing::place("nearly",
+                                   std::make_shared<testing::TestLinear>(
+                                       Span::point, H, r * Eigen::Matrix3d::Identity()),
+                                   Pose{}, 50)};
   system.motion =
       testing::chain_motion(PoseState::position, 1, Eigen::Matrix3d::Identity());
   const PointReport report = report_of(system, {0, 0, 0}, "sigma_z");

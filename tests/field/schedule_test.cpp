@@ -13,8 +13,8 @@ System with_rates(Fusion fusion, const std::vector<double>& rates,
   System system;
   system.fusion = fusion;
   for (std::size_t i = 0; i < rates.size(); ++i) {
-    system.devices.push_back(testing::place(
-        "d", std::make_shared<testing::TestRange>(1), Pose{}, rates[i]));
+    system.devices.push_back(
+        testing::place("d", std::make_shared<testing::TestRange>(1), Pose{}, rates[i]));
     if (!phases.empty()) system.devices.back().phase = phases[i];
   }
   return system;
@@ -69,9 +69,10 @@ TEST(Schedule, RatesWithoutAShortCycleAreRefusedInWords) {
   for (const double rate : {49.999, 50 * 1.4142135623730951}) {
     const auto answer = update_cycle(with_rates(Fusion::periodic, {50, rate}));
     ASSERT_TRUE(std::holds_alternative<std::string>(answer)) << rate;
-    EXPECT_EQ(std::get<std::string>(answer),
-              "fusion: the devices' rates repeat only after more than 2000 updates; use "
-              "rates in simple ratios, or fusion: continuous");
+    EXPECT_EQ(
+        std::get<std::string>(answer),
+        "fusion: the devices' rates repeat only after more than 2000 updates; use "
+        "rates in simple ratios, or fusion: continuous");
   }
 }
 

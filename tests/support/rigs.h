@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <memory>
-#include <utility>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "delos/field/evaluate.h"
@@ -68,8 +68,8 @@ inline MotionModel chain_motion(PoseState pose, int order, const CoordinateMatri
   return motion;
 }
 
-/// The papers' acoustic tracker with the geometry inferred in docs/theory.md, "A published
-/// table, reproduced".
+/// The papers' acoustic tracker with the geometry inferred in docs/theory.md, "A
+/// published table, reproduced".
 inline System acoustic_system(double rate = 50) {
   System system;
   system.motion = chain_motion(
@@ -80,7 +80,8 @@ inline System acoustic_system(double rate = 50) {
     for (const double y : {0.0, 0.4}) {
       system.devices.push_back(place("s" + std::to_string(system.devices.size() + 1),
                                      std::make_shared<TestRange>(0.005),
-                                     {Eigen::Matrix3d::Identity(), {x, y, 1.0485}}, rate));
+                                     {Eigen::Matrix3d::Identity(), {x, y, 1.0485}},
+                                     rate));
     }
   }
   return system;
@@ -90,8 +91,10 @@ inline Metric metric_of(const System& system, const std::string& name) {
   return std::get<Metric>(parse_metric(name, system.motion.layout));
 }
 
-inline Samples volume(const Eigen::Vector3d& min, const Eigen::Vector3d& max, double step) {
-  return make_samples({{"", VolumeSampling{min, max, Eigen::Vector3d::Constant(step)}}});
+inline Samples volume(const Eigen::Vector3d& min, const Eigen::Vector3d& max,
+                      double step) {
+  return make_samples(
+      {{"", VolumeSampling{min, max, Eigen::Vector3d::Constant(step)}}});
 }
 
 inline Samples points(std::vector<Eigen::Vector3d> list) {

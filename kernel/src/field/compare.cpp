@@ -6,7 +6,8 @@
 
 namespace delos {
 
-Comparison compare_fields(const Field& first, const Field& second, bool larger_is_better) {
+Comparison compare_fields(const Field& first, const Field& second,
+                          bool larger_is_better) {
   Comparison c;
   c.difference = second;
   c.difference.scene = second.scene + " − " + first.scene;

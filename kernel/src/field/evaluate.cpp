@@ -44,7 +44,8 @@ class BlockEvaluator {
         return {pose_metric(metric_, layout, P), true};
       }
     }
-    solver_.solve(block, lane, pose, need_ == MetricNeed::time_constant, scratch_, state_);
+    solver_.solve(block, lane, pose, need_ == MetricNeed::time_constant, scratch_,
+                  state_);
     const bool observable = state_.status == RiccatiStatus::converged;
     if (need_ == MetricNeed::nothing) return {coverage(block, lane), observable};
     const double value = state_metric(metric_, layout, state_, system_.covariance);
@@ -67,8 +68,8 @@ class BlockEvaluator {
 };
 
 /// Values of the orientations at each point become one.
-void combine(const std::vector<PoseValue>& poses, std::size_t turns, OrientationRule rule,
-             bool larger_is_better, Field& field) {
+void combine(const std::vector<PoseValue>& poses, std::size_t turns,
+             OrientationRule rule, bool larger_is_better, Field& field) {
   for (std::size_t p = 0; p < field.evaluated; ++p) {
     double sum = 0, worst = poses[p * turns].value;
     bool observable = true;

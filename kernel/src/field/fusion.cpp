@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "delos/riccati/cycle.h"
 #include "field/measure.h"
 
 namespace delos {
@@ -18,10 +19,10 @@ bool cyclic(Fusion fusion) {
 
 /// The solver that fits, or the reason why the forced one doesn't.
 Solver choose(const System& system, Solver wanted) {
-  const bool reducible = system.motion.is_chain() &&
-                         information_size(system) == system.motion.layout.coordinates() &&
-                         (system.fusion == Fusion::stacked ||
-                          system.fusion == Fusion::continuous);
+  const bool reducible =
+      system.motion.is_chain() &&
+      information_size(system) == system.motion.layout.coordinates() &&
+      (system.fusion == Fusion::stacked || system.fusion == Fusion::continuous);
   const std::string fusion = to_string(system.fusion);
   switch (wanted) {
     case Solver::automatic:
@@ -31,7 +32,8 @@ Solver choose(const System& system, Solver wanted) {
       if (!reducible) {
         throw std::invalid_argument(
             "--solver spectral needs a position, position_velocity or "
-            "position_velocity_acceleration motion, devices that measure the pose alone, "
+            "position_velocity_acceleration motion, devices that measure the pose "
+            "alone, "
             "and stacked or continuous fusion; use --solver doubling");
       }
       break;
@@ -138,6 +140,7 @@ FusionSolver::FusionSolver(const System& system, Solver solver)
     slots_ = std::get<std::vector<UpdateSlot>>(std::move(cycle));
     for (const UpdateSlot& slot : slots_) {
       cycle_.push_back({discretize(system.motion, slot.interval), {}});
+      intervals_.push_back(slot.interval);
     }
   } else if (system.fusion == Fusion::artemis) {
     for (const PlacedDevice& d : system.devices) {
@@ -187,7 +190,8 @@ void FusionSolver::solve(const SpectralForm& form, bool with_time_constant,
   const int order = system_.motion.layout.order;
   const int d = system_.motion.layout.coordinates();
   out.prior = spectral_covariance(form, order, sampling_, CovarianceKind::prior);
-  out.posterior = spectral_covariance(form, order, sampling_, CovarianceKind::posterior);
+  out.posterior =
+      spectral_covariance(form, order, sampling_, CovarianceKind::posterior);
   out.status =
       form.unobservable ? RiccatiStatus::unobservable : RiccatiStatus::converged;
   // A lost direction of the pose is lost with all its derivatives.
@@ -243,7 +247,8 @@ void FusionSolver::solve_general(const LayerBlock& block, int lane,
                                  bool with_time_constant, Scratch& scratch,
                                  FusedState& out) const {
   const int n = system_.motion.layout.size();
-  const std::size_t packed = static_cast<std::size_t>(packed_index(columns_, 0)) * kLanes;
+  const std::size_t packed =
+      static_cast<std::size_t>(packed_index(columns_, 0)) * kLanes;
   if (!cycle_.empty()) {
     for (std::size_t s = 0; s < cycle_.size(); ++s) {
       Measurement& m = scratch.cycle[s].measurement;
@@ -306,8 +311,8 @@ void FusionSolver::solve_general(const LayerBlock& block, int lane,
 }
 
 // Rows E that are measured continuously and without noise pin their directions and all
-// derivatives of them, f(∞) = 0. What is left is the system compressed to the directions
-// that they don't see: with W = null(E L),
+// derivatives of them, f(∞) = 0. What is left is the system compressed to the
+// directions that they don't see: with W = null(E L),
 //
 //     P∞ = L W f(Wᵀ Lᵀ S L W) Wᵀ Lᵀ
 void FusionSolver::solve_continuous_exact(const Measurement& m, bool with_time_constant,
@@ -317,8 +322,8 @@ void FusionSolver::solve_continuous_exact(const Measurement& m, bool with_time_c
     // Perfect rows over derivatives have no such limit; periodic fusion solves them.
     const int n = system_.motion.layout.size();
     out.status = RiccatiStatus::iteration_limit;
-    out.prior = out.posterior = StateMatrix::Constant(
-        n, n, std::numeric_limits<double>::quiet_NaN());
+    out.prior = out.posterior =
+        StateMatrix::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
     out.unobservable.resize(n, 0);
     out.time_constant = std::numeric_limits<double>::quiet_NaN();
     return;
@@ -342,6 +347,57 @@ void FusionSolver::solve_continuous_exact(const Measurement& m, bool with_time_c
     form.unobservable = inner.unobservable;
   }
   solve(form, with_time_constant, out);
+}
+
+// The cycle's closed loop is the product over its updates of (I − K H) A, and I − K H
+// is Π P⁻¹ whether or not rows are perfect.
+double FusionSolver::cycle_time_constant(const Scratch& scratch) const {
+  const int n = system_.motion.layout.size();
+  StateMatrix loop = StateMatrix::Identity(n, n);
+  double length = 0;
+  for (std::size_t s = 0; s < scratch.states.size(); ++s) {
+    const SteadyState& state = scratch.states[s];
+    const StateMatrix forget = state.prior.ldlt().solve(state.posterior).transpose();
+    loop = (forget * (scratch.cycle[s].motion.A * loop)).eval();
+    length += intervals_[s];
+  }
+  const double radius =
+      Eigen::EigenSolver<StateMatrix>(loop, false).eigenvalues().cwiseAbs().maxCoeff();
+  return time_constant_of_radius(radius, length);
+}
+
+void FusionSolver::solve_over_cycle(bool with_time_constant, Scratch& scratch,
+                                    FusedState& out) const {
+  solve_cycle(scratch.cycle, scratch.states);
+  const int n = system_.motion.layout.size(), d = system_.motion.layout.coordinates();
+  const auto size = [d](const StateMatrix& P) { return P.topLeftCorner(d, d).trace(); };
+  out.status = RiccatiStatus::converged;
+  out.unobservable = scratch.states.back().unobservable;
+  out.prior.setZero(n, n);
+  out.posterior.setZero(n, n);
+  out.worst_prior = scratch.states.front().prior;
+  out.best_posterior = scratch.states.front().posterior;
+  for (const SteadyState& state : scratch.states) {
+    if (state.status != RiccatiStatus::converged) out.status = state.status;
+    if (size(state.prior) > size(out.worst_prior)) out.worst_prior = state.prior;
+    if (size(state.posterior) < size(out.best_posterior)) {
+      out.best_posterior = state.posterior;
+    }
+    out.prior += state.prior;
+    out.posterior += state.posterior;
+  }
+  if (system_.fusion == Fusion::periodic) {
+    out.prior = time_average(system_.motion, intervals_, scratch.states);
+    out.posterior = out.prior;
+  } else {
+    out.prior /= static_cast<double>(scratch.states.size());
+    out.posterior /= static_cast<double>(scratch.states.size());
+  }
+  if (with_time_constant) {
+    out.time_constant = out.status == RiccatiStatus::converged
+                            ? cycle_time_constant(scratch)
+                            : std::numeric_limits<double>::infinity();
+  }
 }
 
 }  // namespace delos

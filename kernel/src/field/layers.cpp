@@ -39,7 +39,8 @@ bool same_frame(const System& a, const System& b) {
 
 }  // namespace
 
-InformationLayers::InformationLayers(const System& system, std::vector<TargetPose> poses,
+InformationLayers::InformationLayers(const System& system,
+                                     std::vector<TargetPose> poses,
                                      const LayerOptions& options)
     : system_(system), poses_(std::move(poses)), options_(options) {
   fill_all();
@@ -52,7 +53,8 @@ std::size_t InformationLayers::block_count() const {
 std::size_t InformationLayers::bytes() const {
   const std::size_t devices = system_.devices.size();
   const std::size_t numbers = (devices + group_count(devices) + 1) * packed_ * kLanes;
-  return block_count() * (numbers * sizeof(double) + 2 * devices * sizeof(std::uint64_t));
+  return block_count() *
+         (numbers * sizeof(double) + 2 * devices * sizeof(std::uint64_t));
 }
 
 void InformationLayers::fill_all() {
@@ -109,8 +111,8 @@ const LayerBlock& InformationLayers::block(std::size_t b, LayerBlock& scratch) c
 
 void InformationLayers::fill(std::size_t b, LayerBlock& block) const {
   const std::size_t devices = system_.devices.size();
-  block.lanes = static_cast<int>(
-      std::min<std::size_t>(kLanes, poses_.size() - b * static_cast<std::size_t>(kLanes)));
+  block.lanes = static_cast<int>(std::min<std::size_t>(
+      kLanes, poses_.size() - b * static_cast<std::size_t>(kLanes)));
   const std::size_t stride = static_cast<std::size_t>(packed_) * kLanes;
   block.layers.resize(devices * stride);
   block.groups.resize(group_count(devices) * stride);
@@ -126,7 +128,8 @@ void InformationLayers::fill(std::size_t b, LayerBlock& block) const {
 void InformationLayers::observe(std::size_t b, std::size_t device,
                                 LayerBlock& block) const {
   const PlacedDevice& placed = system_.devices[device];
-  double* layer = block.layers.data() + device * static_cast<std::size_t>(packed_) * kLanes;
+  double* layer =
+      block.layers.data() + device * static_cast<std::size_t>(packed_) * kLanes;
   std::fill_n(layer, static_cast<std::size_t>(packed_) * kLanes, 0.0);
   std::uint64_t seen = 0, perfect = 0;
   MeasureScratch scratch;
@@ -137,14 +140,16 @@ void InformationLayers::observe(std::size_t b, std::size_t device,
       const double weight = 1 / variance;
       for (int i = 0; i < columns_; ++i) {
         const double scaled = weight * row(i);
-        for (int j = 0; j <= i; ++j) layer[packed_index(i, j) * kLanes + lane] += scaled * row(j);
+        for (int j = 0; j <= i; ++j)
+          layer[packed_index(i, j) * kLanes + lane] += scaled * row(j);
       }
     };
     const auto exact = [&](const auto&) { perfect |= bit; };
-    const bool sees = measure(system_, placed, X_WT, columns_, scratch,
-                              [&](const StateRows& rows, const decltype(Observation::R)& R) {
-                                whiten(rows, R, noisy, exact);
-                              });
+    const bool sees =
+        measure(system_, placed, X_WT, columns_, scratch,
+                [&](const StateRows& rows, const decltype(Observation::R)& R) {
+                  whiten(rows, R, noisy, exact);
+                });
     if (sees) seen |= bit;
   }
   block.seen[device] = seen;

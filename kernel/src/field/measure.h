@@ -26,8 +26,8 @@ inline void turn(const Observation& o, int from, const Eigen::Matrix3d& R_SW, in
   rows.middleCols<3>(to).noalias() = o.H.middleCols<3>(from) * R_SW;
 }
 
-/// Visit every observation that a device makes of a target at X_WT: `visit(rows, R)` with
-/// rows m×c over the pose coordinates (or the whole state) and R m×m.
+/// Visit every observation that a device makes of a target at X_WT: `visit(rows, R)`
+/// with rows m×c over the pose coordinates (or the whole state) and R m×m.
 /// @returns whether the device sees any of the target.
 template <class Visit>
 bool measure(const System& system, const PlacedDevice& placed, const TargetPose& X_WT,
@@ -88,8 +88,8 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
   return false;
 }
 
-/// Split an observation into directions of independent noise: `noisy(row, variance)` for
-/// each eigenvector of R with finite weight, `exact(row)` for those without noise.
+/// Split an observation into directions of independent noise: `noisy(row, variance)`
+/// for each eigenvector of R with finite weight, `exact(row)` for those without noise.
 ///
 /// Smaller than m·ε times the largest variance, or too small to invert: no noise.
 template <class Noisy, class Exact>

@@ -22,7 +22,8 @@ enum class MetricNeed {
 [[nodiscard]] double pose_metric(const Metric& metric, const StateLayout& layout,
                                  const CoordinateMatrix& P);
 
-/// Any metric but coverage of a state. +∞ where it reads a direction that isn't observed.
+/// Any metric but coverage of a state. +∞ where it reads a direction that isn't
+/// observed.
 [[nodiscard]] double state_metric(const Metric& metric, const StateLayout& layout,
                                   const FusedState& state, CovarianceKind kind);
 

@@ -22,7 +22,8 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
   Eigen::MatrixXd rows = whitened.rows;
   if (system.fusion != Fusion::continuous) return rows;
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-    const auto device = static_cast<std::size_t>(whitened.device[static_cast<std::size_t>(r)]);
+    const auto device =
+        static_cast<std::size_t>(whitened.device[static_cast<std::size_t>(r)]);
     rows.row(r) /= std::sqrt(system.devices[device].period);
   }
   return rows;
@@ -71,12 +72,13 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
   const LayerBlock& block = layers.block(0, empty);
 
   report.careful = fusion.spectral(block, 0);
-  report.solver = report.careful ? Solver::spectral
+  report.solver = report.careful                        ? Solver::spectral
                   : fusion.solver() == Solver::spectral ? Solver::doubling
                                                         : fusion.solver();
   if (report.careful) {
     const Eigen::MatrixXd rows = weighted_rows(system, whitened_rows(system, pose));
-    fusion.solve(spectral_form_of_rows(fusion.noise_factor(), rows), true, report.state);
+    fusion.solve(spectral_form_of_rows(fusion.noise_factor(), rows), true,
+                 report.state);
   } else {
     fusion.solve(block, 0, pose, true, scratch, report.state);
   }

@@ -22,7 +22,8 @@ std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
 
 }  // namespace
 
-System build_system(const Scene& scene, PluginRegistry& plugins, const System* previous) {
+System build_system(const Scene& scene, PluginRegistry& plugins,
+                    const System* previous) {
   System system;
   system.motion = scene.motion;
   system.fusion = scene.fusion.value_or(default_fusion(scene));
@@ -50,8 +51,8 @@ System build_system(const Scene& scene, PluginRegistry& plugins, const System* p
 
 int information_size(const System& system) {
   const StateLayout& layout = system.motion.layout;
-  const bool pose_alone =
-      std::all_of(system.devices.begin(), system.devices.end(), [](const PlacedDevice& d) {
+  const bool pose_alone = std::all_of(
+      system.devices.begin(), system.devices.end(), [](const PlacedDevice& d) {
         const Span span = d.device->span();
         return span == Span::point || span == Span::pose;
       });

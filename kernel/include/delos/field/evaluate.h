@@ -22,19 +22,22 @@ struct FieldOptions {
   int threads = 0;  ///< 0: as many as OpenMP gives
   /// Called now and then, from one thread, with poses done and poses in all.
   std::function<void(std::size_t, std::size_t)> progress;
-  const std::atomic<bool>* cancel = nullptr;  ///< set: stop soon and return what there is
+  const std::atomic<bool>* cancel =
+      nullptr;  ///< set: stop soon and return what there is
 };
 
-/// The poses of a field: every sample point in every orientation, orientations innermost.
+/// The poses of a field: every sample point in every orientation, orientations
+/// innermost.
 [[nodiscard]] DELOS_API std::vector<TargetPose> field_poses(
     const Samples& samples, const Orientations& orientations);
 
 /// Evaluate a metric over samples, from layers of their poses.
 ///
-/// Each block of 64 poses is worked out by itself, so the bytes of the answer don't depend
-/// on the number of threads.
+/// Each block of 64 poses is worked out by itself, so the bytes of the answer don't
+/// depend on the number of threads.
 /// @pre layers.poses() came from field_poses() of the same samples and orientations
-/// @throws std::invalid_argument as FusionSolver; or latency under artemis fusion, which
+/// @throws std::invalid_argument as FusionSolver; or latency under artemis fusion,
+/// which
 ///         has no closed loop.
 [[nodiscard]] DELOS_API Field evaluate_field(const InformationLayers& layers,
                                              const Samples& samples,
@@ -43,23 +46,25 @@ struct FieldOptions {
                                              const FieldOptions& options = {});
 
 /// The same in one go, without keeping layers.
-[[nodiscard]] DELOS_API Field evaluate_field(const System& system, const Samples& samples,
+[[nodiscard]] DELOS_API Field evaluate_field(const System& system,
+                                             const Samples& samples,
                                              const Orientations& orientations,
                                              const Metric& metric,
                                              const FieldOptions& options = {});
 
 /// How a second field differs from a first on the same samples.
 struct Comparison {
-  double mean = 0;  ///< of second − first, where both are finite
-  double min = 0;   ///< the largest fall
-  double max = 0;   ///< the largest rise
+  double mean = 0;               ///< of second − first, where both are finite
+  double min = 0;                ///< the largest fall
+  double max = 0;                ///< the largest rise
   double improved_fraction = 0;  ///< of all samples: better, or finite where it wasn't
   std::size_t common = 0;        ///< samples where both are finite
   Field difference;              ///< second − first; +∞ where either isn't finite
 };
 
 /// @pre both fields have the same points and metric
-[[nodiscard]] DELOS_API Comparison compare_fields(const Field& first, const Field& second,
+[[nodiscard]] DELOS_API Comparison compare_fields(const Field& first,
+                                                  const Field& second,
                                                   bool larger_is_better);
 
 }  // namespace delos

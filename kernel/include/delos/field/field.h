@@ -18,11 +18,13 @@ struct Field {
   std::string unit;           ///< its SI unit
   Samples samples;            ///< where
   std::vector<double> value;  ///< one a point; +∞ where it has no finite value
-  std::vector<unsigned char> observable;  ///< one a point; 1: every direction is observed
-  std::size_t evaluations = 0;            ///< poses at which the equation was solved
+  std::vector<unsigned char>
+      observable;               ///< one a point; 1: every direction is observed
+  std::size_t evaluations = 0;  ///< poses at which the equation was solved
   int threads = 1;
-  double seconds = 0;      ///< wall time of the evaluation
-  bool cancelled = false;  ///< true: points from `evaluated` on were not reached, value +∞
+  double seconds = 0;  ///< wall time of the evaluation
+  bool cancelled =
+      false;  ///< true: points from `evaluated` on were not reached, value +∞
   std::size_t evaluated = 0;  ///< points that were reached, from the front
 };
 
@@ -36,8 +38,8 @@ struct Extreme {
 struct FieldStatistics {
   std::size_t samples = 0;     ///< all
   std::size_t observable = 0;  ///< every direction is observed
-  std::size_t finite = 0;      ///< the metric is finite: what the numbers below are over
-  Extreme min, max;            ///< the first one where several are equal
+  std::size_t finite = 0;  ///< the metric is finite: what the numbers below are over
+  Extreme min, max;        ///< the first one where several are equal
   double mean = 0, median = 0, p95 = 0;  ///< percentiles interpolate linearly
 };
 

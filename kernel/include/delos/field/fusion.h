@@ -26,21 +26,23 @@ enum class Solver {
 /// Steady state of a whole system at one pose.
 struct FusedState {
   RiccatiStatus status = RiccatiStatus::converged;
-  StateMatrix prior;         ///< n×n; periodic: the time average; sequential: mean over turns
+  StateMatrix prior;  ///< n×n; periodic: the time average; sequential: mean over turns
   StateMatrix posterior;     ///< n×n; likewise
   StateMatrix unobservable;  ///< n×m, orthonormal columns
-  double time_constant = 0;  ///< of the slowest closed-loop pole, seconds; filled on request
+  double time_constant =
+      0;  ///< of the slowest closed-loop pole, seconds; filled on request
   StateMatrix worst_prior;     ///< periodic and sequential: the largest by pose trace
   StateMatrix best_posterior;  ///< periodic and sequential: the smallest by pose trace
 };
 
 /// Solves the steady-state equation of one system at any pose.
 ///
-/// Holds what doesn't change from pose to pose. Reentrant with a Scratch a thread. Poses with
-/// perfect rows are solved by the general path whatever the solver.
+/// Holds what doesn't change from pose to pose. Reentrant with a Scratch a thread.
+/// Poses with perfect rows are solved by the general path whatever the solver.
 class DELOS_API FusionSolver {
  public:
-  /// @throws std::invalid_argument the forced solver can't do this system, or its rates have
+  /// @throws std::invalid_argument the forced solver can't do this system, or its rates
+  /// have
   ///         no short cycle; the sentence says what would.
   FusionSolver(const System& system, Solver solver);
 
@@ -83,16 +85,20 @@ class DELOS_API FusionSolver {
                      Scratch& scratch, FusedState& out) const;
   void solve_continuous_exact(const Measurement& measurement, bool with_time_constant,
                               FusedState& out) const;
-  void solve_over_cycle(bool with_time_constant, Scratch& scratch, FusedState& out) const;
+  [[nodiscard]] double cycle_time_constant(const Scratch& scratch) const;
+  void solve_over_cycle(bool with_time_constant, Scratch& scratch,
+                        FusedState& out) const;
 
   System system_;
   Solver solver_;
   int columns_;
   Sampling sampling_;
   CoordinateMatrix L_;
-  MotionStep step_;        ///< one update, or the continuous form
+  MotionStep step_;  ///< one update, or the continuous form
   std::vector<UpdateSlot> slots_;
-  std::vector<CycleStep> cycle_;  ///< motion of each slot, or of each device for artemis
+  std::vector<double> intervals_;  ///< seconds that lead to each slot
+  std::vector<CycleStep>
+      cycle_;  ///< motion of each slot, or of each device for artemis
 };
 
 }  // namespace delos

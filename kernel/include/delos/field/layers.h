@@ -14,41 +14,41 @@ namespace delos {
 /// Poses are handled this many at a time: one bit a pose in a 64-bit word.
 inline constexpr int kLanes = 64;
 
-/// Index of element (i, j), i ≥ j, of a symmetric matrix stored by its lower triangle, row
-/// after row.
+/// Index of element (i, j), i ≥ j, of a symmetric matrix stored by its lower triangle,
+/// row after row.
 [[nodiscard]] constexpr int packed_index(int i, int j) { return i * (i + 1) / 2 + j; }
 
-/// What the devices know at up to 64 poses. Element e of the packed information of lane l
-/// stands at [e·kLanes + l].
+/// What the devices know at up to 64 poses. Element e of the packed information of lane
+/// l stands at [e·kLanes + l].
 struct LayerBlock {
-  int lanes = 0;                       ///< poses in the block
-  std::vector<double> layers;          ///< devices × packed × kLanes: S of each device
-  std::vector<double> groups;          ///< weighted sums over 8 devices each
-  std::vector<double> total;           ///< packed × kLanes: weighted sum over all
-  std::vector<std::uint64_t> seen;     ///< one word a device: the lanes that it sees
+  int lanes = 0;                    ///< poses in the block
+  std::vector<double> layers;       ///< devices × packed × kLanes: S of each device
+  std::vector<double> groups;       ///< weighted sums over 8 devices each
+  std::vector<double> total;        ///< packed × kLanes: weighted sum over all
+  std::vector<std::uint64_t> seen;  ///< one word a device: the lanes that it sees
   std::vector<std::uint64_t> perfect;  ///< likewise: lanes with rows of no noise
 };
 
 /// How layers are held.
 struct LayerOptions {
-  /// Bytes that may be kept; a larger set of layers is recomputed block by block at every
-  /// use instead.
+  /// Bytes that may be kept; a larger set of layers is recomputed block by block at
+  /// every use instead.
   std::size_t memory_limit = std::size_t{1} << 30;
   int threads = 0;  ///< 0: as many as OpenMP gives
 };
 
 /// Per-device information at a list of poses.
 ///
-/// A change of motion, metric or rate recomputes no device; a moved device recomputes its
-/// own layer and two levels of partial sums. Sums run in the order of the devices, in
-/// groups of eight, so that an updated set is equal, bit for bit, to a fresh one.
+/// A change of motion, metric or rate recomputes no device; a moved device recomputes
+/// its own layer and two levels of partial sums. Sums run in the order of the devices,
+/// in groups of eight, so that an updated set is equal, bit for bit, to a fresh one.
 class DELOS_API InformationLayers {
  public:
   InformationLayers(const System& system, std::vector<TargetPose> poses,
                     const LayerOptions& options = {});
 
-  /// Take over another state of the same rig, recomputing only the layers of devices that
-  /// are new, moved or changed.
+  /// Take over another state of the same rig, recomputing only the layers of devices
+  /// that are new, moved or changed.
   /// @returns the number of layers that were recomputed (0 where layers are not kept).
   std::size_t update(const System& system);
 
@@ -60,7 +60,8 @@ class DELOS_API InformationLayers {
   [[nodiscard]] const std::vector<TargetPose>& poses() const { return poses_; }
   [[nodiscard]] std::size_t block_count() const;
 
-  /// The block b of up to 64 poses: the kept one, or made in `scratch`, which is reused.
+  /// The block b of up to 64 poses: the kept one, or made in `scratch`, which is
+  /// reused.
   const LayerBlock& block(std::size_t b, LayerBlock& scratch) const;
 
  private:
@@ -75,7 +76,8 @@ class DELOS_API InformationLayers {
   LayerOptions options_;
   int columns_ = 0;  ///< information_size() of the system
   int packed_ = 0;   ///< numbers in the lower triangle
-  std::vector<double> weights_;  ///< one a device: 1, or 1/period for a rate of information
+  std::vector<double>
+      weights_;  ///< one a device: 1, or 1/period for a rate of information
   bool kept_ = false;
   std::vector<LayerBlock> blocks_;
 };
@@ -83,9 +85,9 @@ class DELOS_API InformationLayers {
 /// Whitened rows R^(−1/2) H of every device at one pose, stacked, and the rows measured
 /// without noise; columns as information_size(). What the careful solver reads.
 struct WhitenedRows {
-  Eigen::MatrixXd rows;        ///< M×c
-  Eigen::MatrixXd exact;       ///< E×c
-  std::vector<int> device;     ///< M: whose row it is
+  Eigen::MatrixXd rows;     ///< M×c
+  Eigen::MatrixXd exact;    ///< E×c
+  std::vector<int> device;  ///< M: whose row it is
 };
 [[nodiscard]] DELOS_API WhitenedRows whitened_rows(const System& system,
                                                    const TargetPose& pose);

@@ -1,4 +1,5 @@
-// Everything about one point: covariances, metrics, what is lost and which device matters.
+// Everything about one point: covariances, metrics, what is lost and which device
+// matters.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +18,8 @@ struct DeviceShare {
   std::string name;
   std::string type;
   bool visible = false;
-  /// Relative rise of the metric's loss when this device alone is taken away; +∞ where the
-  /// metric is lost without it. 0.5: half as large again.
+  /// Relative rise of the metric's loss when this device alone is taken away; +∞ where
+  /// the metric is lost without it. 0.5: half as large again.
   double share = 0;
 };
 
@@ -34,15 +35,15 @@ struct PointReport {
   FusedState state;
   Solver solver = Solver::automatic;  ///< which one answered
   bool careful = false;  ///< from the stacked whitened rows, not from their product
-  std::vector<MetricValue> metrics;   ///< every metric of the layout
+  std::vector<MetricValue> metrics;  ///< every metric of the layout
   std::vector<DeviceShare> devices;
   /// Of the prior, where it solves one update's equation: how well. Else NaN.
   double residual = 0;
 };
 
-/// Evaluate one pose. Where the spectral reduction holds, it is taken from the whitened rows
-/// themselves (spectral_form_of_rows), which keeps twice the digits of the smallest
-/// eigenvalue that a field has.
+/// Evaluate one pose. Where the spectral reduction holds, it is taken from the whitened
+/// rows themselves (spectral_form_of_rows), which keeps twice the digits of the
+/// smallest eigenvalue that a field has.
 /// @param metric what the shares are about
 /// @throws std::invalid_argument as FusionSolver
 [[nodiscard]] DELOS_API PointReport evaluate_point(const System& system,

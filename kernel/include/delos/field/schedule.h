@@ -1,8 +1,8 @@
 // When which devices report, over one cycle of all their rates.
 #pragma once
 
-#include <variant>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "delos/api.h"
@@ -21,9 +21,9 @@ struct UpdateSlot {
 
 /// The cycle after which the devices' updates repeat.
 ///
-/// periodic: instants phase_i + j·period_i over the least common multiple of the periods,
-/// which are taken to be fractions of each other within 1e-9. sequential: one device after
-/// the other, each taking its own period.
+/// periodic: instants phase_i + j·period_i over the least common multiple of the
+/// periods, which are taken to be fractions of each other within 1e-9. sequential: one
+/// device after the other, each taking its own period.
 /// @returns the cycle, or a sentence that says why there is none of at most kMaxCycle
 ///          instants and what would help.
 [[nodiscard]] DELOS_API std::variant<std::vector<UpdateSlot>, std::string> update_cycle(

@@ -45,8 +45,8 @@ struct System {
 [[nodiscard]] DELOS_API System build_system(const Scene& scene, PluginRegistry& plugins,
                                             const System* previous = nullptr);
 
-/// The size of the information that the devices give: d where all measure the pose alone,
-/// else n.
+/// The size of the information that the devices give: d where all measure the pose
+/// alone, else n.
 [[nodiscard]] DELOS_API int information_size(const System& system);
 
 /// A target's pose in the world, X_WT.

@@ -17,21 +17,21 @@ enum class MetricKind {
   sigma,              ///< standard deviation of one state
   sigma_position,     ///< √trace of the position block
   sigma_orientation,  ///< √trace of the orientation block
-  eigmax,             ///< √(largest eigenvalue of the block): Eq. 48, as plotted in metres
-  eiglen,             ///< (Σ λᵢ²)^(1/4) over the block's eigenvalues: Eq. 47
-  mle,                ///< (2π)^(−n/2) |P∞|^(−1/2) of the whole state: Eq. 46
-  trace,              ///< trace of the block
-  det,                ///< determinant of the block
-  coverage,           ///< number of devices that see the target
-  latency,            ///< time constant of the slowest closed-loop pole of A − KH
+  eigmax,    ///< √(largest eigenvalue of the block): Eq. 48, as plotted in metres
+  eiglen,    ///< (Σ λᵢ²)^(1/4) over the block's eigenvalues: Eq. 47
+  mle,       ///< (2π)^(−n/2) |P∞|^(−1/2) of the whole state: Eq. 46
+  trace,     ///< trace of the block
+  det,       ///< determinant of the block
+  coverage,  ///< number of devices that see the target
+  latency,   ///< time constant of the slowest closed-loop pole of A − KH
 };
 
 /// A metric of a given state layout. Equations are those of Allen (2007), §4.3.
 struct Metric {
   MetricKind kind = MetricKind::eigmax;
-  int state = 0;                 ///< which state, for MetricKind::sigma
-  std::string name;              ///< as in scenes: "sigma_x", "eigmax"
-  std::string unit;              ///< SI: "m", "rad/s", "m^2", "s", "1"
+  int state = 0;     ///< which state, for MetricKind::sigma
+  std::string name;  ///< as in scenes: "sigma_x", "eigmax"
+  std::string unit;  ///< SI: "m", "rad/s", "m^2", "s", "1"
   bool larger_is_better = false;
 };
 
@@ -41,6 +41,7 @@ struct Metric {
     std::string_view name, const StateLayout& layout);
 
 /// Names of all metrics that the layout has, those of single states first.
-[[nodiscard]] DELOS_API std::vector<std::string> metric_names(const StateLayout& layout);
+[[nodiscard]] DELOS_API std::vector<std::string> metric_names(
+    const StateLayout& layout);
 
 }  // namespace delos

@@ -31,8 +31,8 @@ struct Pose {
 [[nodiscard]] DELOS_API Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
 
 /// Orientation of a sensor at `from` whose z axis looks at `to`: x right, y down, with
-/// the frame's z axis as up. Straight up or down, where right is undefined, x stays along
-/// the frame's x axis.
+/// the frame's z axis as up. Straight up or down, where right is undefined, x stays
+/// along the frame's x axis.
 /// @pre from ≠ to, both in the same frame, metres.
 [[nodiscard]] DELOS_API Eigen::Matrix3d rotation_from_aim(const Eigen::Vector3d& from,
                                                           const Eigen::Vector3d& to);

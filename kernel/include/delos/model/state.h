@@ -17,13 +17,15 @@ inline constexpr int kMaxState = 30;
 inline constexpr int kMaxCoordinates = 6;
 
 /// Square matrix over the state, n×n with n ≤ kMaxState, stored inline.
-using StateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                  kMaxState, kMaxState>;
+using StateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic,
+                                  Eigen::ColMajor, kMaxState, kMaxState>;
 /// Vector over the state, n×1, stored inline.
-using StateVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxState, 1>;
+using StateVector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxState, 1>;
 /// Square matrix over the pose coordinates, d×d with d ≤ 6, stored inline.
-using CoordinateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic,
-                                       Eigen::ColMajor, kMaxCoordinates, kMaxCoordinates>;
+using CoordinateMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                  kMaxCoordinates, kMaxCoordinates>;
 /// Vector over the pose coordinates, d×1, stored inline.
 using CoordinateVector =
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxCoordinates, 1>;
@@ -31,15 +33,16 @@ using CoordinateVector =
 /// Which coordinates of the target's pose are estimated.
 ///
 /// Position is p_WT in metres. Orientation is the small rotation δθ about the *world's*
-/// axes that turns the true orientation into the estimate, R_WT ← exp(δθ) R_WT, radians.
+/// axes that turns the true orientation into the estimate, R_WT ← exp(δθ) R_WT,
+/// radians.
 enum class PoseState {
   position,     ///< δp: x, y, z
   orientation,  ///< δθ: roll, pitch, yaw
   pose,         ///< [δp, δθ]
 };
 
-/// How the state vector is laid out: order blocks of d pose coordinates (pose, velocity,
-/// acceleration), then the extra states (biases).
+/// How the state vector is laid out: order blocks of d pose coordinates (pose,
+/// velocity, acceleration), then the extra states (biases).
 struct StateLayout {
   PoseState pose = PoseState::position;
   int order = 1;                   ///< 1, 2 or 3 blocks: pose, velocity, acceleration
