@@ -2,13 +2,13 @@
 //
 // Chosen over tridiagonal QR for its accuracy: on a positive definite matrix the
 // stopping rule |m_pq| ≤ ε √(m_pp m_qq) finds small eigenvalues to the relative
-// accuracy that the matrix itself holds, however widely its diagonal is graded. For d =
-// 3 it is also faster. Source: Demmel, Veselić (1992), "Jacobi's method is more
-// accurate than QR",
+// accuracy that the matrix itself holds, however widely its diagonal is graded. Source:
+// Demmel, Veselić (1992), "Jacobi's method is more accurate than QR",
 //         SIAM J. Matrix Anal. Appl. 13(4), 1204–1245, doi:10.1137/0613074.
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -33,44 +33,77 @@ void sort_ascending(JacobiResult<kSize>& r) {
   }
 }
 
-/// @param M symmetric; the upper triangle is read. Entries below 1e150 in magnitude,
-/// for
-///          their squares are formed.
+/// All pairs p < q in the order of a round-robin tournament: neighbours in the list
+/// share no index where possible, so that a processor can overlap their long square
+/// roots.
+template <int kSize>
+constexpr auto rotation_order() {
+  std::array<std::pair<int, int>, kSize*(kSize - 1) / 2> order{};
+  const int m = kSize + kSize % 2 - 1;  // rounds; player m stays where it is
+  int count = 0;
+  for (int round = 0; round < m; ++round) {
+    for (int i = 0; i <= m / 2; ++i) {
+      int a = (round + i) % m, b = i == 0 ? m : (round + m - i) % m;
+      if (a > b) std::swap(a, b);
+      if (b < kSize) order[count++] = {a, b};
+    }
+  }
+  return order;
+}
+
+/// Zeroes m_pq where it matters. Indices are template arguments for speed: everything
+/// stays in registers, and a sweep is three times as fast as with loops over p and q.
+/// @returns whether it rotated
+template <int p, int q, int kSize>
+[[gnu::always_inline]] inline bool jacobi_rotate(Eigen::Matrix<double, kSize, kSize>& M,
+                                                 Eigen::Matrix<double, kSize, kSize>& U,
+                                                 double floor) {
+  constexpr double kEps = std::numeric_limits<double>::epsilon();
+  const double x = M(p, q), mp = M(p, p), mq = M(q, q);
+  if (x * x <= kEps * kEps * std::abs(mp * mq) || std::abs(x) <= floor) return false;
+
+  // t = tan of the smaller angle that zeroes m_pq = 2x/(h ± √(h² + 4x²)) = y/u.
+  const double h = mq - mp, y = 2 * x;
+  const double u = h + std::copysign(std::sqrt(h * h + y * y), h);
+  const double norm = 1 / std::sqrt(u * u + y * y);
+  const double c = std::abs(u) * norm, s = std::copysign(y, y * u) * norm;
+  M(p, p) = mp - y / u * x;
+  M(q, q) = mq + y / u * x;
+  M(p, q) = 0;
+  const auto rotate = [c, s](double& a, double& b) {
+    const double old = a;
+    a = c * old - s * b;
+    b = s * old + c * b;
+  };
+#pragma GCC unroll 6
+  for (int i = 0; i < p; ++i) rotate(M(i, p), M(i, q));
+#pragma GCC unroll 6
+  for (int i = p + 1; i < q; ++i) rotate(M(p, i), M(i, q));
+#pragma GCC unroll 6
+  for (int i = q + 1; i < kSize; ++i) rotate(M(p, i), M(q, i));
+#pragma GCC unroll 6
+  for (int i = 0; i < kSize; ++i) rotate(U(i, p), U(i, q));
+  return true;
+}
+
+/// @param M symmetric; the upper triangle is read. Entries between 1e-150 and 1e150 in
+///          magnitude or zero, for their squares are formed.
 template <int kSize>
 JacobiResult<kSize> jacobi_eigen(Eigen::Matrix<double, kSize, kSize> M) {
   constexpr double kEps = std::numeric_limits<double>::epsilon();
-  constexpr int kMaxSweeps = 30;  // five is the most ever seen; 30 stops NaNs
+  constexpr int kMaxSweeps = 30;  // six is the most ever seen; 30 stops NaNs
+  constexpr static auto kOrder = rotation_order<kSize>();
   JacobiResult<kSize> r;
   r.U.setIdentity();
-  const double scale = M.diagonal().cwiseAbs().maxCoeff();
-  const double floor = kEps * kEps * scale;  // far below any eigenvalue that is used
-
-  for (int sweep = 0, rotations = 1; sweep < kMaxSweeps && rotations > 0; ++sweep) {
-    rotations = 0;
-    for (int p = 0; p + 1 < kSize; ++p) {
-      for (int q = p + 1; q < kSize; ++q) {
-        const double x = M(p, q), mp = M(p, p), mq = M(q, q);
-        if (x * x <= kEps * kEps * std::abs(mp * mq) || std::abs(x) <= floor) continue;
-        ++rotations;
-
-        // tan of the smaller angle that zeroes m_pq.
-        const double h = mq - mp;
-        const double t = 2 * x / (h + std::copysign(std::sqrt(h * h + 4 * x * x), h));
-        const double c = 1 / std::sqrt(1 + t * t), s = t * c;
-        M(p, p) = mp - t * x;
-        M(q, q) = mq + t * x;
-        M(p, q) = 0;
-        const auto rotate = [c, s](double& a, double& b) {
-          const double old = a;
-          a = c * old - s * b;
-          b = s * old + c * b;
-        };
-        for (int i = 0; i < p; ++i) rotate(M(i, p), M(i, q));
-        for (int i = p + 1; i < q; ++i) rotate(M(p, i), M(i, q));
-        for (int i = q + 1; i < kSize; ++i) rotate(M(p, i), M(q, i));
-        for (int i = 0; i < kSize; ++i) rotate(r.U(i, p), r.U(i, q));
-      }
+  // Far below any eigenvalue that is used.
+  const double floor = kEps * kEps * M.diagonal().cwiseAbs().maxCoeff();
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+    const int rotations = [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return (0 + ... +
+              jacobi_rotate<kOrder[i].first, kOrder[i].second>(M, r.U, floor));
     }
+    (std::make_index_sequence<kOrder.size()>{});
+    if (rotations == 0) break;
   }
   r.lambda = M.diagonal();
   sort_ascending(r);

@@ -1,0 +1,27 @@
+// What a whole cycle of updates amounts to.
+#pragma once
+
+#include <span>
+
+#include "delos/api.h"
+#include "delos/riccati/riccati.h"
+
+namespace delos {
+
+/// Mean over time of the covariance P(t) between the updates of a cycle:
+///
+///     (1/T) Σ_j ∫₀^{dt_j} A(t) Π_{j−1} A(t)ᵀ + Q(t) dt,  T = Σ dt_j
+///
+/// Exact for chains: P(t) is a polynomial of degree 2k − 1 ≤ 5, which three
+/// Gauss–Legendre nodes integrate without error. A custom model has no inside: its P(t)
+/// is taken to run straight from each posterior to the next prior.
+/// @param durations dt_j, seconds: the time that leads to step j, > 0
+/// @param states of solve_cycle(): Π_{j−1} is the posterior of the step before, of the
+/// last
+///        one for j = 0. Lost directions are projected off, as in SteadyState.
+/// @pre durations.size() == states.size() ≥ 1
+[[nodiscard]] DELOS_API StateMatrix time_average(const MotionModel& motion,
+                                                 std::span<const double> durations,
+                                                 std::span<const SteadyState> states);
+
+}  // namespace delos

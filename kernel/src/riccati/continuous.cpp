@@ -1,0 +1,103 @@
+// Steady state under continuous measurement: Cayley transform, then doubling.
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "delos/riccati/riccati.h"
+#include "riccati/balance.h"
+#include "riccati/fixed_point.h"
+#include "riccati/linear.h"
+#include "riccati/observability.h"
+
+namespace delos {
+namespace {
+
+using namespace riccati;
+
+/// Geometric mean of the magnitudes of the closed loop's poles, 1/s. They are the
+/// stable half of the eigenvalues of the Hamiltonian [Fᵀ −S; −Q −F], whose determinant
+/// is thus their squared product. 1 where a pole is zero.
+double mean_pole(const MotionStep& motion, const StateMatrix& S) {
+  using Double = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                               2 * kMaxState, 2 * kMaxState>;
+  const Eigen::Index n = S.rows();
+  Double H(2 * n, 2 * n);
+  H << motion.A.transpose(), -S, -motion.Q, -motion.A;
+  const Eigen::PartialPivLU<Double> lu(H);
+  const double log_mean =
+      lu.matrixLU().diagonal().array().abs().log().sum() / (2.0 * n);
+  const double mean = std::exp(log_mean);
+  return std::isfinite(mean) && mean > 1e-30 ? mean : 1.0;
+}
+
+/// One Euler step of 1/γ: what balance() and lost_directions() need to know of dx/dt =
+/// F x.
+CycleStep euler(const MotionStep& motion, const StateMatrix& S, double gamma) {
+  const Eigen::Index n = S.rows();
+  return {{StateMatrix::Identity(n, n) + motion.A / gamma, motion.Q / gamma},
+          {S / gamma, StateMatrix(0, n)}};
+}
+
+/// The discrete filter map with the same fixed point, for any γ > 0. With A = Fᵀ,
+/// A_γ = A − γI and W = A_γᵀ + Q A_γ⁻¹ S:
+///
+///     E₀ = I + 2γ W⁻ᵀ,  G₀ = 2γ A_γ⁻¹ S W⁻¹,  H₀ = 2γ W⁻¹ Q A_γ⁻¹
+///
+/// Source: Chu, Fan, Lin (2005), Linear Algebra Appl. 396, 55–80,
+///         doi:10.1016/j.laa.2004.10.010; their E is our Aᵀ.
+UpdateMap cayley(const MotionStep& motion, const StateMatrix& S, double gamma) {
+  const Eigen::Index n = S.rows();
+  const StateMatrix I = StateMatrix::Identity(n, n);
+  const StateMatrix shifted = motion.A.transpose() - gamma * I;
+  const Eigen::PartialPivLU<StateMatrix> A_gamma(shifted);
+  const StateMatrix solved = A_gamma.solve(S);
+  const StateMatrix W = shifted.transpose() + motion.Q * solved;
+  const Eigen::PartialPivLU<StateMatrix> lu(W);
+  const StateMatrix inverse = lu.inverse();
+  return {I + 2 * gamma * inverse, symmetric(2 * gamma * solved * inverse),
+          symmetric(2 * gamma * lu.solve(motion.Q) * A_gamma.inverse())};
+}
+
+}  // namespace
+
+SteadyState solve_continuous(const MotionStep& continuous,
+                             const StateMatrix& information_rate) {
+  const Eigen::Index n = continuous.A.rows();
+  if (n < 1 || continuous.A.cols() != n || continuous.Q.rows() != n ||
+      continuous.Q.cols() != n || information_rate.rows() != n ||
+      information_rate.cols() != n)
+    std::abort();
+
+  // Balance, and take the lost directions out.
+  double gamma = mean_pole(continuous, information_rate);
+  std::array<CycleStep, 1> step{euler(continuous, information_rate, gamma)};
+  const StateVector D = balance(step);
+  step[0] = scaled(step[0], D);
+  const StateMatrix lost = lost_directions(step, Stability::continuous);
+  const StateMatrix V = complement(lost);
+  CycleStep left = scaled({continuous, {information_rate, StateMatrix(0, n)}}, D);
+  if (lost.cols() > 0) left = quotient(left, V, V);
+
+  SteadyState state;
+  FixedPoint point{StateMatrix(0, 0), 0, true};
+  if (V.cols() > 0) {
+    gamma = mean_pole(left.motion, left.measurement.information);
+    point = fixed_point(cayley(left.motion, left.measurement.information, gamma));
+  }
+  const StateMatrix X = D.asDiagonal() * V;
+  state.doublings = point.doublings;
+  state.status = !point.settled     ? RiccatiStatus::iteration_limit
+                 : lost.cols() == 0 ? RiccatiStatus::converged
+                                    : RiccatiStatus::unobservable;
+  state.unobservable = lost;
+  state.prior = symmetric(X * point.posterior * X.transpose());
+  if (lost.cols() > 0) {
+    state.unobservable = orthonormal(D.asDiagonal() * lost);
+    state.prior = projected_off(state.prior, state.unobservable);
+  }
+  state.posterior = state.prior;
+  return state;
+}
+
+}  // namespace delos

@@ -1,0 +1,99 @@
+// The papers' own method: eigenvectors of the symplectic matrix Ψ.
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <vector>
+
+#include "delos/riccati/riccati.h"
+#include "riccati/balance.h"
+#include "riccati/linear.h"
+#include "riccati/observability.h"
+#include "riccati/update_map.h"
+
+namespace delos {
+namespace {
+
+using namespace riccati;
+using Eigen::MatrixXd;
+
+/// Ψ = [A + Q A⁻ᵀ S, Q A⁻ᵀ; A⁻ᵀ S, A⁻ᵀ]: takes [B; C] with P = B C⁻¹ to the next
+/// update's.
+MatrixXd symplectic(const CycleStep& step) {
+  const auto& [motion, measurement] = step;
+  const Eigen::Index n = motion.A.rows();
+  const MatrixXd inverse = motion.A.transpose().inverse();
+  const MatrixXd seen = inverse * measurement.information;
+  MatrixXd psi(2 * n, 2 * n);
+  psi << motion.A + motion.Q * seen, motion.Q * inverse, seen, inverse;
+  return psi;
+}
+
+/// Real basis of the n eigenvectors with the largest |eigenvalue|.
+MatrixXd dominant_vectors(const MatrixXd& psi) {
+  const Eigen::Index n = psi.rows() / 2;
+  const Eigen::EigenSolver<MatrixXd> eigen(psi);
+  const auto& mu = eigen.eigenvalues();
+  std::vector<Eigen::Index> order(2 * n);
+  std::iota(order.begin(), order.end(), 0);
+  // Both of a conjugate pair have the same modulus: stable sorting keeps them together.
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return std::abs(mu[a]) > std::abs(mu[b]);
+  });
+  const Eigen::MatrixXcd vectors = eigen.eigenvectors();
+  MatrixXd basis(2 * n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    // The real part of one and the imaginary part of the other span a conjugate pair.
+    const auto v = vectors.col(order[i]);
+    if (mu[order[i]].imag() < 0)
+      basis.col(i) = v.imag();
+    else
+      basis.col(i) = v.real();
+  }
+  return basis;
+}
+
+}  // namespace
+
+SteadyState solve_eigenvector(std::span<const CycleStep> steps) {
+  if (steps.empty()) std::abort();
+  const StateVector D = balance(steps);
+  std::vector<CycleStep> left;
+  for (const CycleStep& step : steps) left.push_back(scaled(step, D));
+
+  // Everything at once decides what is lost: the sum of Ψ knows no order of devices.
+  CycleStep together = left[0];
+  for (std::size_t j = 1; j < left.size(); ++j)
+    together.measurement.information += left[j].measurement.information;
+  const StateMatrix lost = lost_directions({&together, 1}, Stability::discrete);
+  const StateMatrix V = complement(lost);
+  together = quotient(together, V, V);
+  const Eigen::Index n = V.cols();
+  StateMatrix P = StateMatrix::Zero(n, n);
+  if (n > 0) {
+    MatrixXd psi = MatrixXd::Zero(2 * n, 2 * n);
+    for (const CycleStep& step : left) psi += symplectic(quotient(step, V, V));
+    const MatrixXd basis = dominant_vectors(psi);
+    // P = B C⁻¹, as Pᵀ = C⁻ᵀ Bᵀ.
+    P = basis.bottomRows(n).transpose().partialPivLu().solve(
+        basis.topRows(n).transpose());
+    P = symmetric(P);
+  }
+
+  SteadyState state;
+  const StateMatrix X = D.asDiagonal() * V;
+  state.status =
+      lost.cols() == 0 ? RiccatiStatus::converged : RiccatiStatus::unobservable;
+  state.unobservable = lost;
+  state.prior = symmetric(X * P * X.transpose());
+  state.posterior = symmetric(X * update(P, together.measurement) * X.transpose());
+  if (lost.cols() > 0) {
+    state.unobservable = orthonormal(D.asDiagonal() * lost);
+    state.prior = projected_off(state.prior, state.unobservable);
+    state.posterior = projected_off(state.posterior, state.unobservable);
+  }
+  return state;
+}
+
+}  // namespace delos

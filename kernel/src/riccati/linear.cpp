@@ -1,0 +1,81 @@
+// Bases, factors and pseudo-inverses over the state.
+#include "riccati/linear.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <limits>
+
+namespace delos::riccati {
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+StateMatrix orthonormal(const StateMatrix& X) {
+  const Eigen::HouseholderQR<StateMatrix> qr(X);
+  StateMatrix Q = StateMatrix::Identity(X.rows(), X.cols());
+  Q.applyOnTheLeft(qr.householderQ());
+  return Q;
+}
+
+StateMatrix complement(const StateMatrix& N) {
+  const Eigen::Index n = N.rows(), m = N.cols();
+  StateMatrix Q = StateMatrix::Identity(n, n);
+  if (m > 0) Q.applyOnTheLeft(Eigen::HouseholderQR<StateMatrix>(N).householderQ());
+  return Q.rightCols(n - m);
+}
+
+StateMatrix projected_off(const StateMatrix& P, const StateMatrix& N) {
+  const StateMatrix keep =
+      StateMatrix::Identity(N.rows(), N.rows()) - N * N.transpose();
+  return symmetric(keep * P * keep);
+}
+
+StateMatrix null_space(const StateMatrix& W, double tolerance) {
+  // W x = 0 ⇔ x ⊥ range(Wᵀ): the columns of Q behind the rank of Wᵀ Π = Q R.
+  const Eigen::Index n = W.cols();
+  StateMatrix Q = StateMatrix::Identity(n, n);
+  if (W.rows() == 0) return Q;
+  const Eigen::ColPivHouseholderQR<StateMatrix> qr(W.transpose());
+  Eigen::Index rank = 0;
+  const Eigen::Index most = std::min(n, W.rows());
+  while (rank < most && std::abs(qr.matrixQR()(rank, rank)) > tolerance) ++rank;
+  Q.applyOnTheLeft(qr.householderQ());
+  return Q.rightCols(n - rank);
+}
+
+StateMatrix semidefinite_factor(const StateMatrix& P) {
+  const Eigen::Index n = P.rows();
+  StateMatrix F = StateMatrix::Zero(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double pivot = P(j, j) - F.row(j).head(j).squaredNorm();
+    if (!(pivot > 16 * n * kEps * P(j, j))) continue;
+    F(j, j) = std::sqrt(pivot);
+    for (Eigen::Index i = j + 1; i < n; ++i)
+      F(i, j) = (P(i, j) - F.row(i).head(j).dot(F.row(j).head(j))) / F(j, j);
+  }
+  return F;
+}
+
+PseudoInverse pseudo_inverse(const StateMatrix& M, const StateVector& scale) {
+  // Eigenvalues of D M D, D = scale^(−1/2), have absolute errors of n ε.
+  const Eigen::Index n = M.rows();
+  StateVector D(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    D[i] = scale[i] > 0 ? 1 / std::sqrt(scale[i]) : 1;
+  const Eigen::SelfAdjointEigenSolver<StateMatrix> eigen(
+      StateMatrix(D.asDiagonal() * M * D.asDiagonal()));
+  const auto& lambda = eigen.eigenvalues();
+  Eigen::Index rank = 0;
+  StateVector inverse = StateVector::Zero(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!(lambda[i] > 16 * n * kEps)) continue;
+    inverse[i] = 1 / lambda[i];
+    ++rank;
+  }
+  const StateMatrix V = D.asDiagonal() * eigen.eigenvectors();
+  return {V * inverse.asDiagonal() * V.transpose(), V.leftCols(n - rank)};
+}
+
+}  // namespace delos::riccati

@@ -1,0 +1,34 @@
+// Small linear algebra over the state that Eigen has no one call for. No heap.
+#pragma once
+
+#include "delos/model/state.h"
+
+namespace delos::riccati {
+
+inline StateMatrix symmetric(const StateMatrix& m) { return (m + m.transpose()) / 2; }
+
+/// Orthonormal basis of the columns of X, n×m of full rank.
+StateMatrix orthonormal(const StateMatrix& X);
+
+/// Orthonormal basis of what is orthogonal to the orthonormal columns of N, n×(n−m).
+StateMatrix complement(const StateMatrix& N);
+
+/// (I − N Nᵀ) P (I − N Nᵀ): P seen only along what is orthogonal to the columns of N.
+StateMatrix projected_off(const StateMatrix& P, const StateMatrix& N);
+
+/// Orthonormal basis of {x : W x = 0}: pivots up to `tolerance` count as zero.
+StateMatrix null_space(const StateMatrix& W, double tolerance);
+
+/// Lower-triangular F with F Fᵀ = P for symmetric P ≥ 0, also singular: pivots that are
+/// rounding (16 n ε of their diagonal entry) leave a zero column.
+StateMatrix semidefinite_factor(const StateMatrix& P);
+
+/// Pseudo-inverse of a symmetric M ≥ 0 whose entries are sums of terms of size
+/// √(scale_i scale_j): what is below 16 n ε of that is rounding and counts as zero.
+struct PseudoInverse {
+  StateMatrix inverse;
+  StateMatrix null;  ///< n×m, the directions that were dropped
+};
+PseudoInverse pseudo_inverse(const StateMatrix& M, const StateVector& scale);
+
+}  // namespace delos::riccati

@@ -1,0 +1,37 @@
+// Filter updates as maps of covariances that compose.
+//
+// One update, or any number of them in a row, takes the posterior Π to
+//
+//     Π′ = H + A Π (I + G Π)⁻¹ Aᵀ
+//
+// A: how errors that the updates leave alone carry over; G: what the updates together
+// say about the state before them; H: the covariance after them if that state was
+// known. Source: Särkkä, García-Fernández (2021), IEEE TAC 66(1), 299–306,
+//         doi:10.1109/TAC.2020.2976316, in terms of S = Hᵀ R⁻¹ H.
+#pragma once
+
+#include "delos/riccati/riccati.h"
+
+namespace delos::riccati {
+
+struct UpdateMap {
+  StateMatrix A, G, H;
+};
+
+/// Motion, then measurement.
+/// @param[out] regular false where an exact row sees a direction that this step's noise
+///             does not drive: the map then has no finite G, and must not be used.
+UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
+                     bool& regular);
+
+/// `first`, then `second`. With W = I + H₁ G₂:
+///     A = A₂ W⁻¹ A₁,  G = G₁ + A₁ᵀ G₂ W⁻¹ A₁,  H = H₂ + A₂ W⁻¹ H₁ A₂ᵀ
+UpdateMap compose(const UpdateMap& first, const UpdateMap& second);
+
+/// P = A Π Aᵀ + Q.
+StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior);
+
+/// Π = (P⁻¹ + S)⁻¹, then conditioned on the exact rows. P may be singular.
+StateMatrix update(const StateMatrix& prior, const Measurement& measurement);
+
+}  // namespace delos::riccati
