@@ -1,9 +1,11 @@
 #include "delos/plugin/registry.h"
 
 #include <gtest/gtest.h>
+#include <link.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -120,6 +122,28 @@ TEST(BadPlugin, CutShort) {
                   " is not a shared library; rebuild it with delos_add_device() or "
                   "remove it");
   }
+}
+
+TEST(BadPlugin, Garbled) {
+  // Its table of symbols claims 2⁶² bytes, which must be neither read nor reserved.
+  std::ifstream good(kFolder / "good.so", std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(good), {}};
+  ElfW(Ehdr) header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  for (int i = 0; i < header.e_shnum; ++i) {
+    char* place = bytes.data() + header.e_shoff + i * sizeof(ElfW(Shdr));
+    ElfW(Shdr) section;
+    std::memcpy(&section, place, sizeof section);
+    if (section.sh_type != SHT_DYNSYM) continue;
+    section.sh_size = std::uint64_t{1} << 62;
+    std::memcpy(place, &section, sizeof section);
+  }
+  const fs::path file = fresh_folder("garbled") / "garbled.so";
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_EQ(PluginRegistry({file.parent_path()}).find("garbled").error,
+            file.string() +
+                " is not a shared library; rebuild it with "
+                "delos_add_device() or remove it");
 }
 
 TEST(BadPlugin, Unreadable) {
