@@ -1,14 +1,15 @@
 #include "delos/field/fusion.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "delos/riccati/cycle.h"
 #include "field/measure.h"
+#include "riccati/linear.h"
 
 namespace delos {
 namespace {
@@ -97,14 +98,6 @@ void set_state(const SteadyState& state, FusedState& out) {
 double time_constant_of_radius(double radius, double period) {
   if (radius >= 1) return std::numeric_limits<double>::infinity();
   return radius > 0 ? -period / std::log(radius) : 0;
-}
-
-/// −1/max Re(pole) of dx/dt = (F − P S) x.
-double continuous_time_constant(const StateMatrix& F, const StateMatrix& P,
-                                const StateMatrix& S) {
-  const Eigen::EigenSolver<StateMatrix> poles(F - P * S, false);
-  const double slowest = poles.eigenvalues().real().maxCoeff();
-  return slowest < 0 ? -1 / slowest : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -198,9 +191,7 @@ void FusionSolver::solve(const SpectralForm& form, bool with_time_constant,
   const int lost = form.unobservable;
   out.unobservable.setZero(d * order, lost * order);
   if (lost > 0) {
-    const Eigen::HouseholderQR<CoordinateMatrix> qr(form.LU.leftCols(lost));
-    const CoordinateMatrix basis =
-        qr.householderQ() * CoordinateMatrix::Identity(d, lost);
+    const StateMatrix basis = riccati::orthonormal(form.LU.leftCols(lost));
     for (int k = 0; k < order; ++k) {
       out.unobservable.block(d * k, lost * k, d, lost) = basis;
     }
@@ -293,7 +284,8 @@ void FusionSolver::solve_general(const LayerBlock& block, int lane,
     }
     set_state(solve_continuous(step_, m.information), out);
     if (with_time_constant) {
-      out.time_constant = continuous_time_constant(step_.A, out.prior, m.information);
+      out.time_constant = -1 / std::min(-0.0, continuous_closed_loop_rate(
+                                                  step_, m.information, out.prior));
     }
     return;
   }
@@ -304,9 +296,10 @@ void FusionSolver::solve_general(const LayerBlock& block, int lane,
     set_state(solve_doubling(step_, m), out);
   }
   if (with_time_constant) {
-    SteadyState state{out.status, out.prior, out.posterior, out.unobservable, 0};
-    out.time_constant =
-        time_constant_of_radius(closed_loop_radius(step_, state), sampling_.dt);
+    const CycleStep step{step_, m};
+    const SteadyState state{out.status, out.prior, out.posterior, out.unobservable, 0};
+    out.time_constant = time_constant_of_radius(
+        closed_loop_radius({&step, 1}, {&state, 1}), sampling_.dt);
   }
 }
 
@@ -328,42 +321,23 @@ void FusionSolver::solve_continuous_exact(const Measurement& m, bool with_time_c
     out.time_constant = std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  const CoordinateMatrix E = (m.exact.leftCols(d) * L_).transpose();
-  const Eigen::ColPivHouseholderQR<CoordinateMatrix> qr(E);
-  const int pinned = static_cast<int>(qr.rank());
-  const CoordinateMatrix basis = qr.householderQ() * CoordinateMatrix::Identity(d, d);
-  const int rest = d - pinned;
+  const StateMatrix E = m.exact.leftCols(d) * L_;
+  const StateMatrix W = riccati::null_space(E, 1e-12 * E.norm());
+  const int rest = static_cast<int>(W.cols());
 
+  // Pinned directions stand last, with λ = ∞ and so no variance.
   SpectralForm form;
-  form.LU = L_ * basis;
+  form.LU.setZero(d, d);
   form.lambda = CoordinateVector::Constant(d, std::numeric_limits<double>::infinity());
   if (rest > 0) {
-    const CoordinateMatrix LW = L_ * basis.rightCols(rest);
+    const CoordinateMatrix LW = L_ * W;
     const CoordinateMatrix M = LW.transpose() * m.information.topLeftCorner(d, d) * LW;
     const SpectralForm inner = spectral_form(CoordinateMatrix::Identity(rest, rest), M);
     form.lambda.head(rest) = inner.lambda;
     form.LU.leftCols(rest) = LW * inner.LU;
-    form.LU.rightCols(pinned) = L_ * basis.leftCols(pinned);
     form.unobservable = inner.unobservable;
   }
   solve(form, with_time_constant, out);
-}
-
-// The cycle's closed loop is the product over its updates of (I − K H) A, and I − K H
-// is Π P⁻¹ whether or not rows are perfect.
-double FusionSolver::cycle_time_constant(const Scratch& scratch) const {
-  const int n = system_.motion.layout.size();
-  StateMatrix loop = StateMatrix::Identity(n, n);
-  double length = 0;
-  for (std::size_t s = 0; s < scratch.states.size(); ++s) {
-    const SteadyState& state = scratch.states[s];
-    const StateMatrix forget = state.prior.ldlt().solve(state.posterior).transpose();
-    loop = (forget * (scratch.cycle[s].motion.A * loop)).eval();
-    length += intervals_[s];
-  }
-  const double radius =
-      Eigen::EigenSolver<StateMatrix>(loop, false).eigenvalues().cwiseAbs().maxCoeff();
-  return time_constant_of_radius(radius, length);
 }
 
 void FusionSolver::solve_over_cycle(bool with_time_constant, Scratch& scratch,
@@ -394,9 +368,12 @@ void FusionSolver::solve_over_cycle(bool with_time_constant, Scratch& scratch,
     out.posterior /= static_cast<double>(scratch.states.size());
   }
   if (with_time_constant) {
-    out.time_constant = out.status == RiccatiStatus::converged
-                            ? cycle_time_constant(scratch)
-                            : std::numeric_limits<double>::infinity();
+    const double length = std::accumulate(intervals_.begin(), intervals_.end(), 0.0);
+    out.time_constant =
+        out.status == RiccatiStatus::converged
+            ? time_constant_of_radius(closed_loop_radius(scratch.cycle, scratch.states),
+                                      length)
+            : std::numeric_limits<double>::infinity();
   }
 }
 

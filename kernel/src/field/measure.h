@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <limits>
 
 #include "delos/field/system.h"
@@ -88,6 +87,15 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
   return false;
 }
 
+/// R = V diag(r) Vᵀ.
+struct IndependentNoise {
+  decltype(Observation::R) directions;  ///< V
+  decltype(Observation::z) variance;    ///< r, with 0 for what counts as no noise
+};
+
+/// Variances up to m·ε times the largest, or too small to invert, count as no noise.
+IndependentNoise independent_noise(const decltype(Observation::R)& R);
+
 /// Split an observation into directions of independent noise: `noisy(row, variance)`
 /// for each eigenvector of R with finite weight, `exact(row)` for those without noise.
 ///
@@ -110,16 +118,12 @@ void whiten(const StateRows& rows, const decltype(Observation::R)& R, Noisy&& no
     noisy(rows.row(1), R(1, 1));
     return;
   }
-  const Eigen::SelfAdjointEigenSolver<decltype(Observation::R)> split(R);
-  const auto& variance = split.eigenvalues();
-  const double floor =
-      std::max(least, R.rows() * std::numeric_limits<double>::epsilon() *
-                          variance(variance.size() - 1));
-  for (Eigen::Index i = 0; i < variance.size(); ++i) {
+  const IndependentNoise split = independent_noise(R);
+  for (Eigen::Index i = 0; i < R.rows(); ++i) {
     const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxState> row =
-        split.eigenvectors().col(i).transpose() * rows;
-    if (variance(i) > floor) {
-      noisy(row, variance(i));
+        split.directions.col(i).transpose() * rows;
+    if (split.variance(i) > 0) {
+      noisy(row, split.variance(i));
     } else {
       exact(row);
     }

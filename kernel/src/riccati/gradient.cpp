@@ -1,5 +1,4 @@
 // Checks and derivatives of a general solution.
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cstdlib>
 
@@ -30,23 +29,6 @@ double riccati_residual(const MotionStep& motion, const Measurement& measurement
                         const StateMatrix& prior) {
   const StateMatrix next = predict(motion, update(prior, measurement));
   return (next - prior).norm() / prior.norm();
-}
-
-double closed_loop_radius(const MotionStep& motion, const SteadyState& state) {
-  // A − KH = A (I − K′H) = A Π P⁻¹. Where P is singular nothing is corrected: I − K′H
-  // keeps the directions without variance, except those that are not part of the
-  // filter.
-  const StateMatrix lost = projected_off(
-      StateMatrix::Identity(motion.A.rows(), motion.A.rows()), state.unobservable);
-  const auto [inverse, null] = pseudo_inverse(state.prior, state.prior.diagonal());
-  const StateMatrix basis = null.cols() == 0 ? null : orthonormal(null);
-  const StateMatrix keep = state.posterior * inverse +
-                           (null.cols() == 0 ? StateMatrix(lost * 0.0)
-                                             : StateMatrix(basis * basis.transpose()));
-  return Eigen::EigenSolver<StateMatrix>(lost * motion.A * keep * lost, false)
-      .eigenvalues()
-      .cwiseAbs()
-      .maxCoeff();
 }
 
 StateMatrix riccati_gradient(const MotionStep& motion, const Measurement& measurement,

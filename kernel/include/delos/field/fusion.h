@@ -85,7 +85,6 @@ class DELOS_API FusionSolver {
                      Scratch& scratch, FusedState& out) const;
   void solve_continuous_exact(const Measurement& measurement, bool with_time_constant,
                               FusedState& out) const;
-  [[nodiscard]] double cycle_time_constant(const Scratch& scratch) const;
   void solve_over_cycle(bool with_time_constant, Scratch& scratch,
                         FusedState& out) const;
 

@@ -9,8 +9,8 @@
 
 namespace delos {
 
-/// How a steady-state solve ended. A field is expected to meet all of these, so they are
-/// values, not exceptions.
+/// How a steady-state solve ended. A field is expected to meet all of these, so they
+/// are values, not exceptions.
 enum class RiccatiStatus {
   converged,        ///< the covariances are those of the stabilising solution
   unobservable,     ///< some directions have no finite variance; the others are finite
@@ -23,7 +23,7 @@ enum class RiccatiStatus {
 /// finite information: they stand in `exact`, one row of H each.
 struct Measurement {
   StateMatrix information;  ///< S, n×n, symmetric ≥ 0, inverse squared state units
-  StateMatrix exact;        ///< c×n, rows measured without noise; 0×n where there are none
+  StateMatrix exact;  ///< c×n, rows measured without noise; 0×n where there are none
 };
 
 /// One part of a cycle: the motion up to an instant, and what is measured then.
@@ -35,43 +35,46 @@ struct CycleStep {
 /// Steady state at one instant.
 struct SteadyState {
   RiccatiStatus status = RiccatiStatus::converged;
-  StateMatrix prior;         ///< P∞, n×n; projected off the unobservable directions
-  StateMatrix posterior;     ///< Π∞, n×n; likewise
-  StateMatrix unobservable;  ///< n×m, orthonormal columns: directions of infinite variance
-  int doublings = 0;         ///< j, after which 2ʲ cycles are accounted for
+  StateMatrix prior;      ///< P∞, n×n; projected off the unobservable directions
+  StateMatrix posterior;  ///< Π∞, n×n; likewise
+  StateMatrix
+      unobservable;   ///< n×m, orthonormal columns: directions of infinite variance
+  int doublings = 0;  ///< j, after which 2ʲ cycles are accounted for
 };
 
 /// Steady-state covariances of the Kalman filter, by structure-preserving doubling.
 ///
 ///     P = A Π Aᵀ + Q,   Π = (P⁻¹ + S)⁻¹, then conditioned on the exact rows
 ///
-/// Directions that no measurement reaches and that do not decay by themselves are split off
-/// first (`unobservable`); what is left has a unique stabilising solution.
+/// Directions that no measurement reaches and that do not decay by themselves are split
+/// off first (`unobservable`); what is left has a unique stabilising solution.
 /// @pre matrices of one size n in [1, kMaxState]; aborts if not.
 /// @returns a SteadyState with its status; never throws on numbers.
 /// @cost O(n³) a doubling, typically 5 to 12; no heap; reentrant.
 /// Source: Chu, Fan, Lin, Wang (2004), Int. J. Control 77(8), 767–788,
-///         doi:10.1080/00207170410001714988 (doubling); Särkkä, García-Fernández (2021),
-///         IEEE TAC 66(1), 299–306, doi:10.1109/TAC.2020.2976316 (composition without R⁻¹).
+///         doi:10.1080/00207170410001714988 (doubling); Särkkä, García-Fernández
+///         (2021), IEEE TAC 66(1), 299–306, doi:10.1109/TAC.2020.2976316 (composition
+///         without R⁻¹).
 [[nodiscard]] DELOS_API SteadyState solve_doubling(const MotionStep& motion,
                                                    const Measurement& measurement);
 
-/// The same fixed point over a whole cycle of different steps: the steady state at the end
-/// of each step, in the order of `cycle`, written to `states`.
+/// The same fixed point over a whole cycle of different steps: the steady state at the
+/// end of each step, in the order of `cycle`, written to `states`.
 /// @pre states.size() == cycle.size() ≥ 1
 DELOS_API void solve_cycle(std::span<const CycleStep> cycle,
                            std::span<SteadyState> states);
 
-/// Steady state under continuous measurement: F P + P Fᵀ + Q − P S P = 0, with F and Q of
-/// continuous_form() and S the information rate. Prior and posterior are the same.
-[[nodiscard]] DELOS_API SteadyState solve_continuous(const MotionStep& continuous,
-                                                     const StateMatrix& information_rate);
+/// Steady state under continuous measurement: F P + P Fᵀ + Q − P S P = 0, with F and Q
+/// of continuous_form() and S the information rate. Prior and posterior are the same.
+[[nodiscard]] DELOS_API SteadyState
+solve_continuous(const MotionStep& continuous, const StateMatrix& information_rate);
 
-/// The papers' own solution, the reference that the others are compared with: eigenvectors
-/// of the 2n×2n symplectic matrix Ψ with the largest |eigenvalue|, P∞ = B C⁻¹.
-/// Allocates; singular A and exact rows are outside its reach.
+/// The papers' own solution, the reference that the others are compared with:
+/// eigenvectors of the 2n×2n symplectic matrix Ψ with the largest |eigenvalue|, P∞ = B
+/// C⁻¹. Allocates; singular A and exact rows are outside its reach.
 /// @param steps one: the usual Ψ. Several: the sum of their Ψ, Table 3.3 of the
-///        dissertation ("artemis" fusion), in which P∞ is no longer a Kalman covariance.
+///        dissertation ("artemis" fusion), in which P∞ is no longer a Kalman
+///        covariance.
 /// Source: Allen (2007), §3.5.1, Eqs. 28–30.
 [[nodiscard]] DELOS_API SteadyState solve_eigenvector(std::span<const CycleStep> steps);
 
@@ -80,17 +83,26 @@ DELOS_API void solve_cycle(std::span<const CycleStep> cycle,
                                                 const Measurement& measurement,
                                                 const StateMatrix& prior);
 
-/// Spectral radius of the closed loop A − K H; below 1 where the filter forgets its past.
-[[nodiscard]] DELOS_API double closed_loop_radius(const MotionStep& motion,
-                                                  const SteadyState& state);
+/// Spectral radius of the closed loop (I − K H) A over a whole cycle (of one step,
+/// mostly); below 1 where the filter forgets its past.
+/// @param states of solve_cycle() for the same cycle
+[[nodiscard]] DELOS_API double closed_loop_radius(std::span<const CycleStep> cycle,
+                                                  std::span<const SteadyState> states);
 
-/// ∂J/∂S of the general solution, for an objective with ∂J/∂P∞ = Y (prior) or ∂J/∂Π∞ = Y
-/// (posterior): one Stein equation X = Fᵀ X F + Y with F = A − K H.
+/// Largest real part of the poles of dx/dt = (F − P S) x, 1/s; below 0 where it
+/// forgets.
+[[nodiscard]] DELOS_API double continuous_closed_loop_rate(
+    const MotionStep& continuous, const StateMatrix& information_rate,
+    const StateMatrix& P);
+
+/// ∂J/∂S of the general solution, for an objective with ∂J/∂P∞ = Y (prior) or ∂J/∂Π∞ =
+/// Y (posterior): one Stein equation X = Fᵀ X F + Y with F = A − K H.
 /// @pre state.status == converged, no exact rows.
 /// @returns n×n, symmetric.
 [[nodiscard]] DELOS_API StateMatrix riccati_gradient(const MotionStep& motion,
                                                      const Measurement& measurement,
                                                      const SteadyState& state,
-                                                     const StateMatrix& Y, bool posterior);
+                                                     const StateMatrix& Y,
+                                                     bool posterior);
 
 }  // namespace delos
