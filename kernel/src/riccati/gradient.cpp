@@ -33,17 +33,19 @@ double riccati_residual(const MotionStep& motion, const Measurement& measurement
 }
 
 double closed_loop_radius(const MotionStep& motion, const SteadyState& state) {
-  // A − KH = A (I − K′H) = A Π P⁻¹. Where P is singular nothing is corrected: I − K′H
-  // keeps the directions without variance, except those that are not part of the
-  // filter.
-  const StateMatrix lost = projected_off(
-      StateMatrix::Identity(motion.A.rows(), motion.A.rows()), state.unobservable);
+  // A − KH = A M with M = I − K′H = Π P⁻¹. Where P is singular, its range is invariant
+  // under A, and M changes nothing modulo that range: M = 1 on the null space has the
+  // same eigenvalues. Lost directions are no part of the filter.
+  const Eigen::Index n = motion.A.rows();
   const auto [inverse, null] = pseudo_inverse(state.prior, state.prior.diagonal());
-  const StateMatrix basis = null.cols() == 0 ? null : orthonormal(null);
-  const StateMatrix keep = state.posterior * inverse +
-                           (null.cols() == 0 ? StateMatrix(lost * 0.0)
-                                             : StateMatrix(basis * basis.transpose()));
-  return Eigen::EigenSolver<StateMatrix>(lost * motion.A * keep * lost, false)
+  StateMatrix M = state.posterior * inverse;
+  if (null.cols() > 0) {
+    const StateMatrix N = orthonormal(null);
+    M += (StateMatrix::Identity(n, n) - M) * N * N.transpose();
+  }
+  const StateMatrix V = complement(state.unobservable);
+  if (V.cols() == 0) return 0;
+  return Eigen::EigenSolver<StateMatrix>(V.transpose() * motion.A * M * V, false)
       .eigenvalues()
       .cwiseAbs()
       .maxCoeff();
