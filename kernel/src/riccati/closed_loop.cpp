@@ -10,19 +10,21 @@ namespace {
 using riccati::orthonormal;
 using riccati::pseudo_inverse;
 
-/// I − K H = Π P⁻¹, off the lost directions. Where P is singular nothing is corrected:
-/// the directions without variance are kept as they are.
+/// I − K H = Π P⁻¹, off the lost directions. Where P is singular, its range is invariant
+/// under A and nothing changes modulo that range: 1 on the null space has the same
+/// eigenvalues.
 StateMatrix correction(const SteadyState& state) {
+  const Eigen::Index n = state.prior.rows();
+  const StateMatrix I = StateMatrix::Identity(n, n);
   const auto [inverse, null] = pseudo_inverse(state.prior, state.prior.diagonal());
-  StateMatrix keep = state.posterior * inverse;
+  StateMatrix M = state.posterior * inverse;
   if (null.cols() > 0) {
-    const StateMatrix basis = orthonormal(null);
-    keep += basis * basis.transpose();
+    const StateMatrix N = orthonormal(null);
+    M += (I - M) * N * N.transpose();
   }
-  const Eigen::Index n = keep.rows();
-  const StateMatrix observed = StateMatrix::Identity(n, n) -
-                               state.unobservable * state.unobservable.transpose();
-  return observed * keep * observed;
+  const StateMatrix observed =
+      I - state.unobservable * state.unobservable.transpose();
+  return observed * M * observed;
 }
 
 Eigen::VectorXcd poles(const StateMatrix& loop) {

@@ -9,7 +9,7 @@
 namespace delos {
 
 StateMatrix time_average(const MotionModel& motion, std::span<const double> durations,
-                         std::span<const SteadyState> states) {
+                         std::span<const SteadyState> states, AverageRule rule) {
   if (durations.empty() || durations.size() != states.size()) std::abort();
   // Gauss–Legendre on [0, 1]: nodes 1/2, 1/2 ± √15/10, weights 4/9, 5/18.
   constexpr double kNodes[] = {0.5 - 0.3872983346207417, 0.5, 0.5 + 0.3872983346207417};
@@ -22,7 +22,7 @@ StateMatrix time_average(const MotionModel& motion, std::span<const double> dura
     const SteadyState& before = states[j == 0 ? states.size() - 1 : j - 1];
     const double dt = durations[j];
     total += dt;
-    if (!motion.is_chain()) {
+    if (rule == AverageRule::trapezoid || !motion.is_chain()) {
       sum += dt / 2 * (before.posterior + states[j].prior);
       continue;
     }
