@@ -35,7 +35,7 @@ std::optional<Scene> parse_scene(std::string_view text, const std::filesystem::p
   const int source = findings.add_source(file.string());
   std::optional<Scene> scene;
   if (auto tree = parse_yaml(text, source, true, findings)) {
-    Reader reader(findings, plugins, file.parent_path());
+    Reader reader{findings, plugins, file.parent_path()};
     check_duplicate_keys(reader, Place(*tree));
     for (const Override& change : overrides) apply_override(*tree, change, findings);
     scene = read_scene(reader, *tree);

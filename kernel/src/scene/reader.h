@@ -40,10 +40,10 @@ class Place {
 inline constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 /// Reads single values. A function that returns nullopt or false has made a finding.
-class Reader {
- public:
-  Reader(Findings& findings, PluginRegistry& plugins, std::filesystem::path folder)
-      : findings(findings), plugins(plugins), folder(std::move(folder)) {}
+struct Reader {
+  Findings& findings;
+  PluginRegistry& plugins;
+  std::filesystem::path folder;  ///< what relative paths start from
 
   /// "path: problem" at the place's node.
   void error(const Place& at, std::string_view problem);
@@ -82,10 +82,6 @@ class Reader {
     return words[*index].second;
   }
   std::optional<std::size_t> choice(const Place& at, std::span<const std::string> known);
-
-  Findings& findings;
-  PluginRegistry& plugins;
-  const std::filesystem::path folder;  ///< what relative paths start from
 };
 
 /// "; did you mean 'focal'?", or "; known: a, b, c" where nothing is near.
