@@ -13,7 +13,8 @@ std::string large_scene(int devices) {
   std::string text =
       "delos: 1\nname: Large\nmotion:\n  type: position_velocity\n  state: position\n"
       "  q: [0.4 m^2/s^3, 0.4 m^2/s^3, 0.1 m^2/s^3]\n"
-      "sample:\n  volume: {min: [0 m, 0 m, 0 m], max: [40 cm, 40 cm, 80 cm], step: 4 cm}\n"
+      "sample:\n  volume: {min: [0 m, 0 m, 0 m], max: [40 cm, 40 cm, 80 cm], step: 4 "
+      "cm}\n"
       "devices:\n";
   for (int i = 0; i < devices; ++i) {
     const std::string x = delos::shortest(i * 0.25), name = "s" + std::to_string(i);
@@ -51,7 +52,8 @@ void WriteScene(benchmark::State& state) {
 BENCHMARK(WriteScene)->Unit(benchmark::kMillisecond);
 
 void Quantity(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(delos::parse_quantity("104.85 cm", "m"));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(delos::parse_quantity("104.85 cm", "m"));
 }
 BENCHMARK(Quantity);
 

@@ -34,7 +34,8 @@ TEST(SampleCount, StopsBelowTheEndWhereItDoesNot) {
 TEST(SampleCount, MultipliesAxes) {
   EXPECT_EQ(sample_count(volume({0, 0, 0}, {0.4, 0.4, 0.8}, {0.04, 0.04, 0.04})),
             11 * 11 * 21);
-  EXPECT_EQ(sample_count({"", PlaneSampling{{}, {}, {}, {3, 5}}}), 15);
+  EXPECT_EQ(sample_count({"", PlaneSampling{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 5}}}),
+            15);
   EXPECT_EQ(sample_count({"", PointSampling{"", {{1, 2, 3}, {4, 5, 6}}}}), 2);
 }
 
@@ -77,7 +78,8 @@ TEST(MakeSamples, CoversAParallelogramWithItsEdges) {
 }
 
 TEST(MakeSamples, LeavesASingleSampleOfAnEdgeAtTheOrigin) {
-  const Samples s = make_samples({{"", PlaneSampling{{1, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 2}}}});
+  const Samples s =
+      make_samples({{"", PlaneSampling{{1, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 2}}}});
   ASSERT_EQ(s.points.size(), 2u);
   EXPECT_EQ(s.points[0], Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(s.points[1], Eigen::Vector3d(1, 2, 0));

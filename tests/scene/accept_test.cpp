@@ -63,14 +63,16 @@ TEST(Accept, FillsInWhatIsNotSaid) {
 }
 
 TEST(Accept, ReadsWhatIsSaid) {
-  std::string text = good_with("sample:",
-                               "fusion: periodic\ncovariance: posterior\nmetric: trace\n"
-                               "target: {markers: [[1 mm, 0, 0], [0, 2 in, 0]]}\nsample:");
+  std::string text =
+      good_with("sample:",
+                "fusion: periodic\ncovariance: posterior\nmetric: trace\n"
+                "target: {markers: [[1 mm, 0, 0], [0, 2 in, 0]]}\nsample:");
   text.replace(text.find("    rate: 50 Hz"), 15,
                "    rate: 1.5 kHz\n    phase: 5 ms\n    mount: world\n    group: rig1\n"
                "    rpy: [90 deg, 0, -0.5]");
-  text.replace(text.find("{r: 5 mm}"), 9,
-               "{r: 5 mm, shape: square, gain: 5 %, resolution: [1, 2 px], mix: [[3]]}");
+  text.replace(
+      text.find("{r: 5 mm}"), 9,
+      "{r: 5 mm, shape: square, gain: 5 %, resolution: [1, 2 px], mix: [[3]]}");
   const Scene s = accepted(text);
   EXPECT_EQ(s.fusion, Fusion::periodic);
   EXPECT_EQ(s.covariance, CovarianceKind::posterior);
@@ -82,7 +84,8 @@ TEST(Accept, ReadsWhatIsSaid) {
   EXPECT_EQ(d.rate, 1500);
   EXPECT_EQ(d.phase, 0.005);
   EXPECT_EQ(d.group, "rig1");
-  EXPECT_EQ(std::get<Rpy>(d.placement.facing).angles, Eigen::Vector3d(kPi / 2, 0, -0.5));
+  EXPECT_EQ(std::get<Rpy>(d.placement.facing).angles,
+            Eigen::Vector3d(kPi / 2, 0, -0.5));
   EXPECT_EQ(d.params.choice("shape"), "square");
   EXPECT_EQ(d.params["gain"], 0.05);
   EXPECT_EQ(d.params.matrix("resolution"), Eigen::MatrixXd(Eigen::Vector2d(1, 2)));
@@ -96,13 +99,13 @@ TEST(Accept, TakesBoundsAsInclusive) {
 }
 
 TEST(Accept, ReadsAFullQWithUnits) {
-  const Scene s = accepted(good_with(
-      "state: position\n  q: [0.4, 0.4, 0.1]",
-      "state: pose\n  q:\n"
-      "    - [1 cm^2/s^3, 0, 0, 1e-4 m rad/s^3, 0, 0]\n"
-      "    - [0, 1, 0, 0, 0, 0]\n    - [0, 0, 1, 0, 0, 0]\n"
-      "    - [1e-4, 0, 0, 2 rad^2/s^3, 0, 0]\n"
-      "    - [0, 0, 0, 0, 1, 0]\n    - [0, 0, 0, 0, 0, 1]"));
+  const Scene s =
+      accepted(good_with("state: position\n  q: [0.4, 0.4, 0.1]",
+                         "state: pose\n  q:\n"
+                         "    - [1 cm^2/s^3, 0, 0, 1e-4 m rad/s^3, 0, 0]\n"
+                         "    - [0, 1, 0, 0, 0, 0]\n    - [0, 0, 1, 0, 0, 0]\n"
+                         "    - [1e-4, 0, 0, 2 rad^2/s^3, 0, 0]\n"
+                         "    - [0, 0, 0, 0, 1, 0]\n    - [0, 0, 0, 0, 0, 1]"));
   const auto& q = std::get<ChainMotion>(s.motion.dynamics).q;
   EXPECT_EQ(q(0, 0), 1e-4);
   EXPECT_EQ(q(0, 3), 1e-4);
@@ -111,7 +114,8 @@ TEST(Accept, ReadsAFullQWithUnits) {
 }
 
 TEST(Accept, ReadsCustomMotionWithExtraStates) {
-  const std::string identity4 = "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]";
+  const std::string identity4 =
+      "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]";
   const auto custom = [&](const std::string& names) {
     return good_with(
         "  type: position_velocity\n  state: position\n  q: [0.4, 0.4, 0.1]\n",
@@ -124,18 +128,19 @@ TEST(Accept, ReadsCustomMotionWithExtraStates) {
   EXPECT_EQ(s.motion.layout.extra, std::vector<std::string>{"bias"});
   EXPECT_EQ(s.motion.layout.size(), 4);
   EXPECT_EQ(std::get<CustomMotion>(s.motion.dynamics).Q(3, 3), 0);
-  EXPECT_EQ(accepted(custom("")).motion.layout.extra, std::vector<std::string>{"extra1"});
+  EXPECT_EQ(accepted(custom("")).motion.layout.extra,
+            std::vector<std::string>{"extra1"});
 }
 
 TEST(Accept, ReadsSeveralSetsWithOrientationsBeside) {
-  const Scene s = accepted(
-      good_with("sample:\n  volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}",
-                "sample:\n"
-                "  - {name: floor, plane: {origin: [0, 0, 0], u: [1 m, 0, 0], v: [0, 2, 0],"
-                " counts: [3, 2]}}\n"
-                "  - points: [[1, 2, 3]]\n"
-                "  - volume: {min: [0, 0, 0], max: [1, 1, 1], step: [1, 0.5, 25 cm]}\n"
-                "orientations: {rpy: [[0, 0, 0], [0, 0, 180 deg]], combine: mean}"));
+  const Scene s = accepted(good_with(
+      "sample:\n  volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}",
+      "sample:\n"
+      "  - {name: floor, plane: {origin: [0, 0, 0], u: [1 m, 0, 0], v: [0, 2, 0],"
+      " counts: [3, 2]}}\n"
+      "  - points: [[1, 2, 3]]\n"
+      "  - volume: {min: [0, 0, 0], max: [1, 1, 1], step: [1, 0.5, 25 cm]}\n"
+      "orientations: {rpy: [[0, 0, 0], [0, 0, 180 deg]], combine: mean}"));
   ASSERT_EQ(s.samples.size(), 3u);
   EXPECT_EQ(s.samples[0].name, "floor");
   EXPECT_EQ(sample_count(s.samples[0]), 6);
@@ -149,11 +154,12 @@ TEST(Accept, ReadsSeveralSetsWithOrientationsBeside) {
 
 TEST(Accept, ReadsPointFilesBesideTheScene) {
   const Folder folder("accept");
-  std::ofstream(folder.path / "z.ptl") << "; a comment\n\n 1 2 3\n4\t5 6 ; here too\r\n#x\n";
+  std::ofstream(folder.path / "z.ptl")
+      << "; a comment\n\n 1 2 3\n4\t5 6 ; here too\r\n#x\n";
   std::ofstream(folder.path / "z.csv") << "\xEF\xBB\xBFX, Y, Z\n1, 2,3\n-1e-1,+2,.5\n";
-  std::ofstream(folder.path / "scene.yaml")
-      << good_with("sample:\n  volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}",
-                   "sample: [{file: z.ptl}, {file: z.csv}]");
+  std::ofstream(folder.path / "scene.yaml") << good_with(
+      "sample:\n  volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}",
+      "sample: [{file: z.ptl}, {file: z.csv}]");
   Diagnostics diagnostics;
   const auto s = load_scene(folder.path / "scene.yaml", {}, plugins(), diagnostics);
   for (const Diagnostic& d : diagnostics) ADD_FAILURE() << to_string(d);
@@ -166,7 +172,8 @@ TEST(Accept, ReadsPointFilesBesideTheScene) {
 }
 
 TEST(Accept, TakesAliasesForWhatTheyStandFor) {
-  std::string text = good_with("params: {r: 5 mm}", "params: &lens {r: 5 mm, focal: 8 mm}");
+  std::string text =
+      good_with("params: {r: 5 mm}", "params: &lens {r: 5 mm, focal: 8 mm}");
   text.replace(text.rfind("{r: 0.005}"), 10, "*lens");
   const Scene s = accepted(text);
   EXPECT_EQ(s.devices[1].params["focal"], 0.008);
@@ -177,9 +184,9 @@ TEST(Accept, TakesQuotedNumbers) {
 }
 
 TEST(Accept, DevicesOfTheStatesSize) {
-  const Scene s = accepted(
-      good_with("type: probe, rate: 50, at: [1, 0, 1], aim: [0, 0, 0], params: {r: 0.005}",
-                "type: state_probe, rate: 50, params: {size: 6}"));
+  const Scene s = accepted(good_with(
+      "type: probe, rate: 50, at: [1, 0, 1], aim: [0, 0, 0], params: {r: 0.005}",
+      "type: state_probe, rate: 50, params: {size: 6}"));
   EXPECT_EQ(s.devices[1].params["size"], 6);
 }
 

@@ -12,15 +12,25 @@ namespace {
 
 /// Replace, remove, insert, or copy some bytes.
 std::string damaged(std::string text, std::mt19937& random) {
-  const auto upto = [&](std::size_t n) { return static_cast<std::size_t>(random() % (n + 1)); };
-  static const std::string kBytes = "[]{}:,-#&*!|>'\"%@`~?.0123456789eE+xn \n\t\r\\/\0\xff\xc3";
+  const auto upto = [&](std::size_t n) {
+    return static_cast<std::size_t>(random() % (n + 1));
+  };
+  static const std::string kBytes =
+      "[]{}:,-#&*!|>'\"%@`~?.0123456789eE+xn \n\t\r\\/\0\xff\xc3";
   for (std::size_t edits = 1 + upto(3); edits > 0 && !text.empty(); --edits) {
     const std::size_t at = upto(text.size() - 1);
     switch (upto(3)) {
-      case 0: text[at] = kBytes[upto(kBytes.size() - 1)]; break;
-      case 1: text.erase(at, 1 + upto(8)); break;
-      case 2: text.insert(at, 1, kBytes[upto(kBytes.size() - 1)]); break;
-      default: text.insert(at, text.substr(upto(text.size() - 1), 1 + upto(40)));
+      case 0:
+        text[at] = kBytes[upto(kBytes.size() - 1)];
+        break;
+      case 1:
+        text.erase(at, 1 + upto(8));
+        break;
+      case 2:
+        text.insert(at, 1, kBytes[upto(kBytes.size() - 1)]);
+        break;
+      default:
+        text.insert(at, text.substr(upto(text.size() - 1), 1 + upto(40)));
     }
   }
   return text;

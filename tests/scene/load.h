@@ -49,7 +49,8 @@ struct Loaded {
   std::vector<std::string> findings;  ///< as they are shown
 };
 
-inline Loaded load(const std::string& text, const std::vector<Override>& overrides = {}) {
+inline Loaded load(const std::string& text,
+                   const std::vector<Override>& overrides = {}) {
   Diagnostics diagnostics;
   Loaded loaded;
   loaded.scene = parse_scene(text, "scene.yaml", overrides, plugins(), diagnostics);

@@ -32,13 +32,16 @@ TEST(Override, ReachesEveryKindOfValue) {
   EXPECT_EQ(changed("devices.s2.at.z", "30 cm").devices[1].placement.at.z(), 0.3);
   EXPECT_EQ(changed("devices.1.at.2", "7").devices[1].placement.at.z(), 7);
   EXPECT_EQ(changed("devices.s1.params.r", "7 mm").devices[0].params["r"], 0.007);
-  EXPECT_EQ(std::get<ChainMotion>(changed("motion.q.0", "9").motion.dynamics).q(0, 0), 9);
+  EXPECT_EQ(std::get<ChainMotion>(changed("motion.q.0", "9").motion.dynamics).q(0, 0),
+            9);
   EXPECT_EQ(changed("groups.rig1.at.x", "3").groups[0].placement.at.x(), 3);
-  EXPECT_EQ(std::get<VolumeSampling>(
-                changed("sample.volume.step", "0.1").samples[0].shape).step.y(),
-            0.1);
-  EXPECT_EQ(std::get<Aim>(changed("devices.s2.aim.y", "5").devices[1].placement.facing).at,
-            Eigen::Vector3d(0, 5, 0));
+  EXPECT_EQ(
+      std::get<VolumeSampling>(changed("sample.volume.step", "0.1").samples[0].shape)
+          .step.y(),
+      0.1);
+  EXPECT_EQ(
+      std::get<Aim>(changed("devices.s2.aim.y", "5").devices[1].placement.facing).at,
+      Eigen::Vector3d(0, 5, 0));
   EXPECT_EQ(changed("devices.s1.at", "[1, 2, 3]").devices[0].placement.at,
             Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(changed("name", "'a: b'").name, "a: b");
@@ -46,9 +49,10 @@ TEST(Override, ReachesEveryKindOfValue) {
 
 TEST(Override, KnowsAnglesAndQuaternionsByTheirOwnNames) {
   const std::string rpy = good_with("aim: [0, 0, 0]", "rpy: [0, 0, 0]");
-  EXPECT_EQ(std::get<Rpy>(
-                changed("devices.s2.rpy.yaw", "2", rpy).devices[1].placement.facing).angles,
-            Eigen::Vector3d(0, 0, 2));
+  EXPECT_EQ(
+      std::get<Rpy>(changed("devices.s2.rpy.yaw", "2", rpy).devices[1].placement.facing)
+          .angles,
+      Eigen::Vector3d(0, 0, 2));
   const std::string wxyz = good_with("aim: [0, 0, 0]", "quaternion_wxyz: [1, 0, 0, 0]");
   EXPECT_EQ(std::get<QuaternionWxyz>(changed("devices.s2.quaternion_wxyz.x", "2", wxyz)
                                          .devices[1]
@@ -59,10 +63,12 @@ TEST(Override, KnowsAnglesAndQuaternionsByTheirOwnNames) {
 
 TEST(Override, AddsAbsentKeys) {
   EXPECT_EQ(changed("fusion", "periodic").fusion, Fusion::periodic);
-  EXPECT_EQ(changed("devices.s2.params.focal", "20 mm").devices[1].params["focal"], 0.02);
+  EXPECT_EQ(changed("devices.s2.params.focal", "20 mm").devices[1].params["focal"],
+            0.02);
   EXPECT_EQ(changed("sample.orientations.combine", "mean").orientations.combine,
             OrientationRule::mean);
-  EXPECT_EQ(changed("target.markers", "[[1, 2, 3]]").markers[0], Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(changed("target.markers", "[[1, 2, 3]]").markers[0],
+            Eigen::Vector3d(1, 2, 3));
   const std::string no_at = good_with("    at: [0, 0, 1]\n", "");
   EXPECT_EQ(changed("devices.s1.at.y", "4", no_at).devices[0].placement.at,
             Eigen::Vector3d(0, 4, 0));
@@ -96,12 +102,12 @@ struct Bad {
 };
 
 const Bad kBad[] = {
-    {"devices.s3.at.x", "1",
-     "devices.s3: there is no such member; did you mean 's1'?"},
+    {"devices.s3.at.x", "1", "devices.s3: there is no such member; did you mean 's1'?"},
     {"devices.camera.at.x", "1",
      "devices.camera: there is no such member; known: s1, s2"},
     {"motion.q.7", "1", "motion.q.7: there is no such member; known: x, y, z"},
-    {"devices.s1.at.q", "1", "devices.s1.at.q: there is no such member; known: x, y, z"},
+    {"devices.s1.at.q", "1",
+     "devices.s1.at.q: there is no such member; known: x, y, z"},
     {"groups.rig2.at.x", "1",
      "groups.rig2: there is no such group; did you mean 'rig1'?"},
     {"devices.s1.aim.x", "1",
@@ -111,7 +117,10 @@ const Bad kBad[] = {
     {"devices.s1.parms.r", "1",
      "devices.s1.parms: unknown key; did you mean 'params'?"},
     {"devices.s1.params.rr", "1",
-     "devices.s1.params.rr: unknown key; known: r, focal, near, far, gain, shape, "
+     "devices.s1.params.rr: unknown key; did you mean 'r'?"},
+    {"devices.s1.params.aperture", "1",
+     "devices.s1.params.aperture: unknown key; known: r, focal, near, far, gain, "
+     "shape, "
      "resolution, mix"},
     {"fusoin", "stacked", "fusoin: unknown key; did you mean 'fusion'?"},
     {"device.s1.at.z", "1", "device: unknown key; did you mean 'devices'?"},
@@ -130,6 +139,11 @@ TEST(Override, SaysWhatIsWrongWithIt) {
                                                         ": error: " + bad.finding});
     EXPECT_FALSE(loaded.scene);
   }
+}
+
+TEST(Override, KeepsAllFindingsOfAPlaceWithoutLines) {
+  const Loaded loaded = load(kGood, {{"devices.s1.at", "[x, x, x]"}});
+  EXPECT_EQ(loaded.findings.size(), 3u);
 }
 
 TEST(Override, IsReportedAfterTheScenesOwnFindings) {

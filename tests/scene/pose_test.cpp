@@ -28,9 +28,10 @@ TEST(RotationFromRpy, TurnsAboutXThenYThenZ) {
   std::mt19937 random(3);
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d a = random_vector(random);
-    const Eigen::Matrix3d R = (Eigen::AngleAxisd(a.z(), z) * Eigen::AngleAxisd(a.y(), y) *
-                               Eigen::AngleAxisd(a.x(), x))
-                                  .toRotationMatrix();
+    const Eigen::Matrix3d R =
+        (Eigen::AngleAxisd(a.z(), z) * Eigen::AngleAxisd(a.y(), y) *
+         Eigen::AngleAxisd(a.x(), x))
+            .toRotationMatrix();
     EXPECT_LT((rotation_from_rpy(a) - R).norm(), 1e-14);
   }
 }

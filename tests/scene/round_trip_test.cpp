@@ -33,10 +33,10 @@ class Draw {
   }
   /// Words that a careless writer would leave unquoted.
   std::string word() {
-    const char* const words[] = {"plain",   "null", "a: b", "- x", "#c",   "'q'", "\"q\"",
-                                 "ünïcode", "~",    "[x",   "1e3", "*a",   "&a",  "a\\b",
-                                 "true",    "%d",   "{",    "!x",  "| x",  "@",   "a,b",
-                                 "-",       "---",  "?",    "a #b", "Null", "`"};
+    const char* const words[] = {
+        "plain", "null", "a: b", "- x", "#c",   "'q'",  "\"q\"", "ünïcode", "~",
+        "[x",    "1e3",  "*a",   "&a",  "a\\b", "true", "%d",    "{",       "!x",
+        "| x",   "@",    "a,b",  "-",   "---",  "?",    "a #b",  "Null",    "`"};
     return words[upto(static_cast<int>(std::size(words)) - 1)];
   }
 
@@ -44,9 +44,15 @@ class Draw {
     Placement p;
     p.at = vector();
     switch (upto(3)) {
-      case 0: p.facing = Rpy{vector()}; break;
-      case 1: p.facing = QuaternionWxyz{{number(), number(), number(), 1}}; break;
-      case 2: p.facing = Aim{vector()}; break;
+      case 0:
+        p.facing = Rpy{vector()};
+        break;
+      case 1:
+        p.facing = QuaternionWxyz{{number(), number(), number(), 1}};
+        break;
+      case 2:
+        p.facing = Aim{vector()};
+        break;
     }
     return p;
   }
@@ -72,8 +78,8 @@ class Draw {
     }
     for (int i = upto(2); i > 0; --i) m.layout.extra.push_back("b" + std::to_string(i));
     const int n = m.layout.size();
-    m.dynamics = CustomMotion{Eigen::MatrixXd::NullaryExpr(n, n, [&] { return number(); }),
-                              noise(n)};
+    m.dynamics = CustomMotion{
+        Eigen::MatrixXd::NullaryExpr(n, n, [&] { return number(); }), noise(n)};
     return m;
   }
 
@@ -84,12 +90,14 @@ class Draw {
       case 0: {
         const Eigen::Vector3d min = vector();
         const Eigen::Vector3d step(positive(), positive(), positive());
-        s.shape = VolumeSampling{min, min + 2.5 * step,
-                                 coin() ? step : Eigen::Vector3d::Constant(step.maxCoeff())};
+        s.shape =
+            VolumeSampling{min, min + 2.5 * step,
+                           coin() ? step : Eigen::Vector3d::Constant(step.maxCoeff())};
         break;
       }
       case 1:
-        s.shape = PlaneSampling{vector(), vector(), vector(), {1 + upto(9), 1 + upto(9)}};
+        s.shape =
+            PlaneSampling{vector(), vector(), vector(), {1 + upto(9), 1 + upto(9)}};
         break;
       default:
         s.shape = PointSampling{"", vectors()};
@@ -114,8 +122,8 @@ class Draw {
     d.params.set("gain", std::uniform_real_distribution<double>(0, 1)(random_));
     d.params.set("shape", std::string(coin() ? "hexagonal" : "round"));
     d.params.set("resolution", Eigen::MatrixXd(Eigen::Vector2d(1 + positive(), 77)));
-    d.params.set("mix",
-                 Eigen::MatrixXd::NullaryExpr(1 + upto(2), 2, [&] { return number(); }));
+    d.params.set(
+        "mix", Eigen::MatrixXd::NullaryExpr(1 + upto(2), 2, [&] { return number(); }));
     return d;
   }
 
@@ -198,7 +206,8 @@ TEST(RoundTrip, KeepsTheNameOfAPointFile) {
   ASSERT_TRUE(scene);
   const std::string written = write_scene(*scene);
   EXPECT_NE(written.find("file: z plane.ptl"), std::string::npos) << written;
-  EXPECT_EQ(parse_scene(written, folder.path / "b.yaml", {}, plugins(), diagnostics), scene);
+  EXPECT_EQ(parse_scene(written, folder.path / "b.yaml", {}, plugins(), diagnostics),
+            scene);
 }
 
 TEST(RoundTrip, WritesWhatPeopleWouldWrite) {

@@ -11,27 +11,35 @@ int Findings::add_source(std::string name) {
   return static_cast<int>(sources_.size()) - 1;
 }
 
-void Findings::error(Mark where, std::string message) {
-  found_.push_back({where, std::move(message)});
+void Findings::error(Mark where, std::string path, std::string problem) {
+  found_.push_back({where, std::move(path), std::move(problem)});
 }
 
 void Findings::move_to(Diagnostics& out) {
   const auto place = [](const Finding& f) {
     return std::tuple(f.where.source, f.where.line, f.where.column);
   };
-  std::stable_sort(found_.begin(), found_.end(), [&](const Finding& a, const Finding& b) {
-    return place(a) < place(b);
-  });
-  // An anchor's node is found faulty once at every alias; the text is wrong only once.
-  const auto last =
-      std::unique(found_.begin(), found_.end(), [&](const Finding& a, const Finding& b) {
-        return place(a) == place(b) && a.message == b.message;
-      });
-  for (auto f = found_.begin(); f != last; ++f)
-    out.push_back({{sources_[static_cast<std::size_t>(f->where.source)], f->where.line,
-                    f->where.column},
+  std::stable_sort(
+      found_.begin(), found_.end(),
+      [&](const Finding& a, const Finding& b) { return place(a) < place(b); });
+  const auto key = [](const Finding& f) {
+    return f.path.substr(f.path.rfind('.') + 1);
+  };
+  // Compared with all at the same place, since what several aliases give may be mixed.
+  std::vector<Finding> kept;
+  for (Finding& f : found_) {
+    const bool repeats =
+        f.where.line > 0 &&
+        std::any_of(kept.rbegin(), kept.rend(), [&](const Finding& k) {
+          return place(k) == place(f) && k.problem == f.problem && key(k) == key(f);
+        });
+    if (!repeats) kept.push_back(std::move(f));
+  }
+  for (Finding& f : kept)
+    out.push_back({{sources_[static_cast<std::size_t>(f.where.source)], f.where.line,
+                    f.where.column},
                    Severity::error,
-                   std::move(f->message)});
+                   (f.path.empty() ? "" : f.path + ": ") + f.problem});
   found_.clear();
 }
 

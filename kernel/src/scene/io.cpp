@@ -28,7 +28,8 @@ std::optional<Scene> load_scene(const std::filesystem::path& file,
   return parse_scene(text, file, overrides, plugins, diagnostics);
 }
 
-std::optional<Scene> parse_scene(std::string_view text, const std::filesystem::path& file,
+std::optional<Scene> parse_scene(std::string_view text,
+                                 const std::filesystem::path& file,
                                  const std::vector<Override>& overrides,
                                  PluginRegistry& plugins, Diagnostics& diagnostics) {
   Findings findings;

@@ -7,6 +7,7 @@
 
 #include "delos/scene/units.h"
 #include "scene/node_text.h"
+#include "scene/numbers.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -69,8 +70,9 @@ void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
     const auto value = reader.number(entry, q_unit(draft.layout, i, i));
     if (!value) continue;
     if (!(*value > 0))
-      reader.error(entry, shortest(*value) + " isn't above 0; the noise that drives the "
-                                             "motion must be positive");
+      reader.error(entry, shortest(*value) +
+                              " isn't above 0; the noise that drives the "
+                              "motion must be positive");
     q(i, i) = *value;
   }
   if (reader.findings.errors() == before) draft.q = q;
@@ -82,14 +84,15 @@ void read_full_q(Reader& reader, const Place& at, Draft& draft) {
       at, [&](int i, int j) { return q_unit(draft.layout, i % d, j % d); });
   if (!m) return;
   if (m->rows() != d || m->cols() != d) {
-    reader.error(at, "is " + std::to_string(m->rows()) + "×" + std::to_string(m->cols()) +
-                         ", but the state has " + std::to_string(d) + " coordinates");
+    reader.error(at, "is " + std::to_string(m->rows()) + "×" +
+                         std::to_string(m->cols()) + ", but the state has " +
+                         std::to_string(d) + " coordinates");
     return;
   }
   if (!check_symmetric(reader, at, *m)) return;
   if (Eigen::LLT<Eigen::MatrixXd>(*m).info() != Eigen::Success) {
     reader.error(at, "is not positive definite: its least eigenvalue is " +
-                         shortest(least_eigenvalue(*m)));
+                         rounded(least_eigenvalue(*m), 6));
     return;
   }
   draft.q = *m;
@@ -101,7 +104,8 @@ void read_q(Reader& reader, const Place& at, Draft& draft) {
   const auto& items = at.node().items;
   const auto d = static_cast<std::size_t>(draft.layout.coordinates());
   if (items.size() != d) {
-    reader.error(at, "has " + std::to_string(items.size()) + " members, but the state '" +
+    reader.error(at, "has " + std::to_string(items.size()) +
+                         " members, but the state '" +
                          word_of(kPoseStateWords, draft.layout.pose) + "' has " +
                          std::to_string(d) + " coordinates");
     return;
@@ -125,8 +129,8 @@ void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>
   auto m = reader.matrix(at, [](int, int) { return "1"; });
   if (!m) return;
   if (m->rows() != m->cols())
-    reader.error(at, "is " + std::to_string(m->rows()) + "×" + std::to_string(m->cols()) +
-                         ", but must be square");
+    reader.error(at, "is " + std::to_string(m->rows()) + "×" +
+                         std::to_string(m->cols()) + ", but must be square");
   else if (m->rows() > kMaxState)
     reader.error(at, "has " + std::to_string(m->rows()) + " states; at most " +
                          std::to_string(kMaxState) + " are possible");
@@ -160,7 +164,8 @@ constexpr std::array<Key<Draft>, 7> kKeys = {{
        if (*d.type > 0) return std::nullopt;
        return to_node(d.layout.order);
      }},
-    {"names", Need::optional, "custom: names of the states behind the blocks", read_names,
+    {"names", Need::optional, "custom: names of the states behind the blocks",
+     read_names,
      [](const Draft& d) -> std::optional<Node> {
        if (d.layout.extra.empty()) return std::nullopt;
        std::vector<Node> names;
@@ -168,7 +173,8 @@ constexpr std::array<Key<Draft>, 7> kKeys = {{
        return to_node(std::move(names));
      }},
     {"q", Need::optional,
-     "spectral density of the driving noise: one number a coordinate, or a symmetric matrix",
+     "spectral density of the driving noise: one number a coordinate, or a symmetric "
+     "matrix",
      read_q,
      [](const Draft& d) -> std::optional<Node> {
        if (!d.q) return std::nullopt;
@@ -221,7 +227,7 @@ void check_noise(Reader& reader, const Place& at, const Eigen::MatrixXd& Q) {
   const double least = least_eigenvalue(Q);
   if (least < -kRounding * Q.cwiseAbs().maxCoeff())
     reader.error(at, "is not positive semidefinite: its least eigenvalue is " +
-                         shortest(least));
+                         rounded(least, 6));
 }
 
 void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
@@ -231,8 +237,8 @@ void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
   if (draft.names) {
     const Place place(at, "names", *at.node().find("names"));
     if (draft.names->size() != extra) {
-      reader.error(place, "has " + std::to_string(draft.names->size()) + " names, but " +
-                              std::to_string(extra) + " of the " +
+      reader.error(place, "has " + std::to_string(draft.names->size()) +
+                              " names, but " + std::to_string(extra) + " of the " +
                               std::to_string(draft.A->rows()) +
                               " states are behind the blocks of coordinates");
       return;
@@ -245,7 +251,8 @@ void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
                      '\'' + (*draft.names)[i] + "' names another state already");
     names = *draft.names;
   } else {
-    for (std::size_t i = 0; i < extra; ++i) names.push_back("extra" + std::to_string(i + 1));
+    for (std::size_t i = 0; i < extra; ++i)
+      names.push_back("extra" + std::to_string(i + 1));
   }
   draft.layout.extra = std::move(names);
 }
@@ -264,7 +271,8 @@ void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& o
                  "has " + std::to_string(draft.A->rows()) + " states, but " +
                      std::to_string(draft.layout.order) + " × " +
                      std::to_string(draft.layout.coordinates()) +
-                     " coordinates need at least " + std::to_string(draft.layout.size()));
+                     " coordinates need at least " +
+                     std::to_string(draft.layout.size()));
     return;
   }
   name_extra_states(reader, at, draft);
@@ -290,7 +298,8 @@ Node write_motion(const MotionModel& motion) {
   Draft draft;
   draft.type = motion.is_chain() ? motion.layout.order : 0;
   draft.layout = motion.layout;
-  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics)) draft.q = chain->q;
+  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics))
+    draft.q = chain->q;
   if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics)) {
     draft.A = custom->A;
     draft.Q = custom->Q;

@@ -1,7 +1,6 @@
 #include "scene/sample_keys.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -52,7 +51,8 @@ constexpr std::array<Key<VolumeSampling>, 4> kVolumeKeys = {{
     {"max", Need::required, "opposite corner [x, y, z], metres",
      [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.max); },
      [](const VolumeSampling& v) -> Written { return vector_node(v.max); }},
-    {"step", Need::required, "distance of samples, metres: a number or [x, y, z]", read_step,
+    {"step", Need::required, "distance of samples, metres: a number or [x, y, z]",
+     read_step,
      [](const VolumeSampling& v) -> Written {
        if (v.step.x() == v.step.y() && v.step.y() == v.step.z())
          return to_node(v.step.x());
@@ -98,7 +98,8 @@ constexpr std::array<Key<PlaneSampling>, 4> kPlaneKeys = {{
 constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
 
 constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
-    {"rpy", Need::optional, "target orientations tried at each point, [[roll, pitch, yaw], …]",
+    {"rpy", Need::optional,
+     "target orientations tried at each point, [[roll, pitch, yaw], …]",
      [](Reader& r, const Place& p, Orientations& o) {
        if (auto rpy = r.vectors3(p, "rad", kAngles)) o.rpy = std::move(*rpy);
      },
@@ -136,18 +137,19 @@ void read_volume(Reader& reader, const Place& at, Draft& out) {
   read_shape(reader, at, kVolumeKeys, out);
   if (!out.complete) return;
   const auto& v = std::get<VolumeSampling>(out.set.shape);
-  const Node& max = *at.node().find("max");
+  const Place max(at, "max", *at.node().find("max"));
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    const double steps = (v.max[axis] - v.min[axis]) / v.step[axis];
-    if (steps >= 0 && std::isfinite(steps)) continue;
-    const Place place(at, "max", max);
-    reader.error(Place(place, kAxes[i], max.items[i]),
-                 '\'' + max.items[i].text +
-                     (steps < 0 ? "' is below min; exchange them"
-                                : "' is too far from min for this step"));
+    if (v.max[axis] >= v.min[axis]) continue;
+    const Node& item = max.node().items[i];
+    reader.error(Place(max, kAxes[i], item),
+                 item.text + " is below min; exchange them");
     out.complete = false;
   }
+  // A number of steps that isn't a double leaves nothing to count or to suggest.
+  if (((v.max - v.min).array() / v.step.array()).isFinite().all()) return;
+  reader.error(Place(at, "step", *at.node().find("step")), "is too small for this box");
+  out.complete = false;
 }
 
 void read_points(Reader& reader, const Place& at, Draft& out) {
@@ -212,7 +214,8 @@ constexpr std::array<Key<Draft>, 8> kSetKeys = {{
        if (!p || !p->file.empty()) return std::nullopt;
        return to_node(p->points);
      }},
-    {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene", read_file,
+    {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene",
+     read_file,
      [](const Draft& d) -> Written {
        const auto* p = std::get_if<PointSampling>(&d.set.shape);
        if (!p || p->file.empty()) return std::nullopt;
@@ -243,8 +246,9 @@ bool check_one_shape(Reader& reader, const Place& at) {
     const Node* node = at.node().find(shape);
     if (!node) continue;
     if (!given.empty()) {
-      reader.error_within(at, node->mark, shape,
-                          "the set is given by '" + given + "' already; make a list of sets");
+      reader.error_within(
+          at, node->mark, shape,
+          "the set is given by '" + given + "' already; make a list of sets");
       one = false;
     }
     given = shape;
@@ -265,8 +269,10 @@ void report_too_many(Reader& reader, const Place& at, const SampleSet& set) {
     else
       reader.error(place, problem);
   };
-  if (std::holds_alternative<VolumeSampling>(set.shape)) return within("volume", "step");
-  if (std::holds_alternative<PlaneSampling>(set.shape)) return within("plane", "counts");
+  if (std::holds_alternative<VolumeSampling>(set.shape))
+    return within("volume", "step");
+  if (std::holds_alternative<PlaneSampling>(set.shape))
+    return within("plane", "counts");
   within(std::get<PointSampling>(set.shape).file.empty() ? "points" : "file", nullptr);
 }
 

@@ -9,7 +9,11 @@ class Probe final : public delos::Device {
  public:
   static constexpr delos::ParamSpec kParams[] = {
       {.name = "r", .unit = "m", .lower = 0, .upper = 2, .help = "Noise of a range."},
-      {.name = "focal", .unit = "m", .initial = 0.05, .lower = 1e-3, .help = "Focal length."},
+      {.name = "focal",
+       .unit = "m",
+       .initial = 0.05,
+       .lower = 1e-3,
+       .help = "Focal length."},
       {.name = "near", .unit = "m", .initial = 0.1, .help = "Nearest target."},
       {.name = "far", .unit = "m", .initial = 10, .help = "Farthest target."},
       {.name = "gain", .initial = 0.5, .lower = 0, .upper = 1, .help = "A share."},
@@ -36,7 +40,9 @@ class Probe final : public delos::Device {
       throw std::invalid_argument("near must be below far; exchange them");
   }
 
-  bool observe(const delos::Target&, delos::Observation&) const override { return false; }
+  bool observe(const delos::Target&, delos::Observation&) const override {
+    return false;
+  }
 };
 
 }  // namespace
