@@ -2,7 +2,8 @@
 #   Build <sources> into the loadable device plugin <id>.so and put it into lib/delos of the
 #   build tree; installed, it goes to lib/delos too. That is where the kernel of the same
 #   tree looks; of others, DELOS_PLUGIN_PATH tells it. The contract tests that every device
-#   obeys run on all of them.
+#   obeys run on all of them, with the parameters of plugins/<id>/example.yaml: a list of
+#   maps, needed where parameters have no default.
 include(GNUInstallDirs)
 
 function(delos_add_device id)

@@ -12,7 +12,8 @@ write_basic_package_version_file(${built_package}/delosConfigVersion.cmake
 configure_file(${PROJECT_SOURCE_DIR}/cmake/DelosDevice.cmake ${built_package} COPYONLY)
 
 set_target_properties(delos_kernel PROPERTIES EXPORT_NAME kernel)
-install(TARGETS delos_kernel EXPORT delosTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS delos_kernel EXPORT delosTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernel/include/delos
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${built_package}/ DESTINATION ${package_folder}

@@ -15,9 +15,11 @@ void note() {
 
 #ifdef __SANITIZE_ADDRESS__
 
-#include <sanitizer/allocator_interface.h>
+// The sanitizer owns malloc and reports to us. GCC doesn't ship the header of this.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(
+    void (*on_malloc)(const volatile void*, std::size_t),
+    void (*on_free)(const volatile void*));
 
-// The sanitizer owns malloc and reports to us.
 static const int installed = __sanitizer_install_malloc_and_free_hooks(
     [](const volatile void*, std::size_t) { note(); }, [](const volatile void*) {});
 

@@ -55,6 +55,10 @@ TEST(ParamValues, EqualWhereNamesOrderAndNumbersAre) {
   ParamValues other = filled();
   other.set("focal", 0.0061);
   EXPECT_FALSE(filled() == other);
+  ParamValues named, otherwise;
+  named.set("focal", 0.006);
+  otherwise.set("pitch", 0.006);
+  EXPECT_FALSE(named == otherwise);
   ParamValues longer = filled();
   longer.set("sigma", 0.1);
   EXPECT_FALSE(filled() == longer);

@@ -25,15 +25,15 @@ double field_of_view(const Device& camera, const Eigen::Vector2d& axis) {
   return 2 * seen * 180 / std::numbers::pi;
 }
 
-// Point Grey Dragonfly: 6 mm lens, 640 × 480 pixels of 7.4 µm, so f = 810.8 px. Its field of
-// view is quoted as 43.07° × 32.97°, cut off at two digits: 2 atan(640 / (2 · 810.8)) is
-// 43.072°, 2 atan(480 / (2 · 810.8)) is 32.978°.
+// Point Grey Dragonfly: 6 mm lens, 640 × 480 pixels of 7.4 µm, so f = 810.8 px. Its
+// field of view is quoted as 43.07° × 32.97°, cut off at two digits: 2 atan(640 / (2 ·
+// 810.8)) is 43.075°, 2 atan(480 / (2 · 810.8)) is 32.978°.
 const char* const kDragonfly = "{focal: 0.006, pitch: 7.4e-6, resolution: [640, 480]}";
 
 TEST(PinholeCamera, HasTheFieldOfViewOfTheDataSheet) {
   const auto camera = device("pinhole_camera", kDragonfly);
-  EXPECT_NEAR(field_of_view(*camera, {1, 0}), 43.072, 0.001);
-  EXPECT_NEAR(field_of_view(*camera, {-1, 0}), 43.072, 0.001);
+  EXPECT_NEAR(field_of_view(*camera, {1, 0}), 43.075, 0.001);
+  EXPECT_NEAR(field_of_view(*camera, {-1, 0}), 43.075, 0.001);
   EXPECT_NEAR(field_of_view(*camera, {0, 1}), 32.978, 0.001);
   EXPECT_NEAR(field_of_view(*camera, {0, -1}), 32.978, 0.001);
 }

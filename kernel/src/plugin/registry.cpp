@@ -83,8 +83,8 @@ std::string listed(const std::vector<fs::path>& folders) {
   return text.empty() ? "no folder at all" : text;
 }
 
-/// The library of an id in the first folder that has it, else empty. Ids are names, never
-/// paths: a scene must not reach libraries outside the folders.
+/// The library of an id in the first folder that has it, else empty. Ids are names,
+/// never paths: a scene must not reach libraries outside the folders.
 fs::path locate(const std::vector<fs::path>& folders, std::string_view id) {
   if (id.empty() || id.find('/') != std::string_view::npos) return {};
   for (const fs::path& folder : folders) {
