@@ -135,8 +135,9 @@ const Bad kBad[] = {
 TEST(Override, SaysWhatIsWrongWithIt) {
   for (const Bad& bad : kBad) {
     const Loaded loaded = load(kGood, {{bad.path, bad.value}});
-    EXPECT_EQ(loaded.findings, std::vector<std::string>{std::string("--set ") + bad.path +
-                                                        ": error: " + bad.finding});
+    EXPECT_EQ(loaded.findings,
+              std::vector<std::string>{std::string("--set ") + bad.path +
+                                       ": error: " + bad.finding});
     EXPECT_FALSE(loaded.scene);
   }
 }

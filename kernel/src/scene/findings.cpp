@@ -25,16 +25,16 @@ void Findings::move_to(Diagnostics& out) {
   const auto key = [](const Finding& f) {
     return f.path.substr(f.path.rfind('.') + 1);
   };
-  // Compared with all at the same place, since what several aliases give may be mixed.
   std::vector<Finding> kept;
-  for (Finding& f : found_) {
-    const bool repeats =
-        f.where.line > 0 &&
-        std::any_of(kept.rbegin(), kept.rend(), [&](const Finding& k) {
-          return place(k) == place(f) && k.problem == f.problem && key(k) == key(f);
-        });
-    if (!repeats) kept.push_back(std::move(f));
-  }
+  const auto repeats = [&](const Finding& f) {
+    if (f.where.line == 0) return false;
+    // Against all at its place: what several keys say of one anchor comes mixed.
+    for (auto k = kept.rbegin(); k != kept.rend() && place(*k) == place(f); ++k)
+      if (k->problem == f.problem && key(*k) == key(f)) return true;
+    return false;
+  };
+  for (Finding& f : found_)
+    if (!repeats(f)) kept.push_back(std::move(f));
   for (Finding& f : kept)
     out.push_back({{sources_[static_cast<std::size_t>(f.where.source)], f.where.line,
                     f.where.column},

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "scene/node_text.h"
 #include "scene/override.h"
@@ -15,8 +16,10 @@ std::optional<Scene> load_scene(const std::filesystem::path& file,
                                 const std::vector<Override>& overrides,
                                 PluginRegistry& plugins, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& why) {
-    diagnostics.push_back(
-        {{file.string(), 0, 0}, Severity::error, "the scene can't be read: " + why});
+    Diagnostic diagnostic;
+    diagnostic.where.file = file.string();
+    diagnostic.message = "the scene can't be read: " + why;
+    diagnostics.push_back(std::move(diagnostic));
     return std::nullopt;
   };
   std::error_code ignored;

@@ -95,10 +95,13 @@ std::string rounded(double value, int digits) {
 }
 
 std::string grouped(long long value) {
-  std::string text = std::to_string(value);
-  for (auto at = static_cast<long long>(text.size()) - 3; at > (value < 0 ? 1 : 0);
-       at -= 3)
-    text.insert(static_cast<std::size_t>(at), ",");
+  const std::string digits = std::to_string(value);
+  const std::size_t sign = value < 0 ? 1 : 0;
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > sign && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
   return text;
 }
 
