@@ -1,13 +1,11 @@
 #include "scene/motion_keys.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <set>
 
 #include "delos/scene/units.h"
 #include "scene/node_text.h"
-#include "scene/numbers.h"
+#include "scene/noise_check.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -40,26 +38,6 @@ std::string q_unit(const StateLayout& layout, int i, int j) {
   return square + (power == 1 ? "/s" : "/s^" + std::to_string(power));
 }
 
-/// A finding where m(i, j) ≠ m(j, i).
-bool check_symmetric(Reader& reader, const Place& at, const Eigen::MatrixXd& m) {
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < i; ++j) {
-      if (m(i, j) == m(j, i)) continue;
-      const auto path = [](Eigen::Index a, Eigen::Index b) {
-        return std::to_string(a) + '.' + std::to_string(b);
-      };
-      reader.error(at, "is not symmetric: " + path(j, i) + " is " + shortest(m(j, i)) +
-                           ", " + path(i, j) + " is " + shortest(m(i, j)));
-      return false;
-    }
-  return true;
-}
-
-double least_eigenvalue(const Eigen::MatrixXd& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
-}
-
 void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
   const int d = draft.layout.coordinates();
   const std::size_t before = reader.findings.errors();
@@ -89,13 +67,7 @@ void read_full_q(Reader& reader, const Place& at, Draft& draft) {
                          std::to_string(d) + " coordinates");
     return;
   }
-  if (!check_symmetric(reader, at, *m)) return;
-  if (Eigen::LLT<Eigen::MatrixXd>(*m).info() != Eigen::Success) {
-    reader.error(at, "is not positive definite: its least eigenvalue is " +
-                         rounded(least_eigenvalue(*m), 6));
-    return;
-  }
-  draft.q = *m;
+  if (check_positive_definite(reader, at, *m)) draft.q = *m;
 }
 
 void read_q(Reader& reader, const Place& at, Draft& draft) {
@@ -220,16 +192,6 @@ void check_keys(Reader& reader, const Place& at, const Draft& draft) {
   }
 }
 
-void check_noise(Reader& reader, const Place& at, const Eigen::MatrixXd& Q) {
-  if (!check_symmetric(reader, at, Q)) return;
-  // Eigenvalues are exact to rounding only; a singular Q is allowed.
-  constexpr double kRounding = 1e-12;
-  const double least = least_eigenvalue(Q);
-  if (least < -kRounding * Q.cwiseAbs().maxCoeff())
-    reader.error(at, "is not positive semidefinite: its least eigenvalue is " +
-                         rounded(least, 6));
-}
-
 void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
   const auto base = static_cast<std::size_t>(draft.layout.size());
   const std::size_t extra = static_cast<std::size_t>(draft.A->rows()) - base;
@@ -258,7 +220,8 @@ void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
 }
 
 void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& out) {
-  if (draft.Q) check_noise(reader, Place(at, "Q", *at.node().find("Q")), *draft.Q);
+  if (draft.Q)
+    check_positive_semidefinite(reader, Place(at, "Q", *at.node().find("Q")), *draft.Q);
   if (!draft.A || !draft.Q) return;
   if (draft.A->rows() != draft.Q->rows()) {
     reader.error(Place(at, "Q", *at.node().find("Q")),
