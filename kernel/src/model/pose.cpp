@@ -15,7 +15,8 @@ Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy) {
   return R;
 }
 
-Eigen::Matrix3d rotation_from_aim(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Eigen::Matrix3d rotation_from_aim(const Eigen::Vector3d& from,
+                                  const Eigen::Vector3d& to) {
   const Eigen::Vector3d forward = (to - from).stableNormalized();
   // forward × up, whose length is the sine of the angle to the vertical.
   Eigen::Vector3d right(forward.y(), -forward.x(), 0);

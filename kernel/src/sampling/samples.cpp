@@ -11,8 +11,8 @@ constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
 /// Samples along one axis, min, min + step, … ≤ max.
 std::int64_t axis_count(double min, double max, double step) {
-  // A step that divides the box in decimals does so in doubles only to rounding: 0.8/0.04
-  // must give 20 steps however it is rounded.
+  // A step that divides the box in decimals does so in doubles only to rounding:
+  // 0.8/0.04 must give 20 steps however it is rounded.
   constexpr double kRounding = 1e-9;
   const double steps = std::floor((max - min) / step + kRounding);
   if (!(steps < 9e18)) return kMost;
@@ -78,12 +78,15 @@ struct Make {
 
 }  // namespace
 
-std::int64_t sample_count(const SampleSet& set) { return std::visit(Count{}, set.shape); }
+std::int64_t sample_count(const SampleSet& set) {
+  return std::visit(Count{}, set.shape);
+}
 
 Samples make_samples(const std::vector<SampleSet>& sets) {
   Samples samples;
   std::size_t total = 0;
-  for (const SampleSet& set : sets) total += static_cast<std::size_t>(sample_count(set));
+  for (const SampleSet& set : sets)
+    total += static_cast<std::size_t>(sample_count(set));
   samples.points.reserve(total);
   for (const SampleSet& set : sets) {
     SamplePart part;

@@ -22,7 +22,8 @@ constexpr std::array<Key<Group>, 4> kGroupKeys = {{
 void read_rate(Reader& reader, const Place& at, DeviceEntry& out) {
   const auto rate = reader.number(at, "1/s");
   if (!rate) return;
-  if (!(*rate > 0)) reader.error(at, "must be above 0; a device that is off is left out");
+  if (!(*rate > 0))
+    reader.error(at, "must be above 0; a device that is off is left out");
   out.rate = *rate;
 }
 
@@ -34,10 +35,12 @@ void read_phase(Reader& reader, const Place& at, DeviceEntry& out) {
 }
 
 void read_mount(Reader& reader, const Place& at, DeviceEntry&) {
-  constexpr std::pair<const char*, bool> kMounts[] = {{"world", true}, {"target", false}};
+  constexpr std::pair<const char*, bool> kMounts[] = {{"world", true},
+                                                      {"target", false}};
   const auto in_world = reader.choice(at, kMounts);
   if (in_world && !*in_world)
-    reader.error(at, "'target' is not supported by this version; devices are in the world");
+    reader.error(at,
+                 "'target' is not supported by this version; devices are in the world");
 }
 
 constexpr std::array<Key<DeviceEntry>, 11> kDeviceKeys = {{
@@ -96,7 +99,8 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                   const StateLayout* layout, const DeviceEntry& entry) {
   try {
     const auto device = make_device(info, entry.params);
-    if (!layout || device->span() != Span::state || device->state_size() == layout->size())
+    if (!layout || device->span() != Span::state ||
+        device->state_size() == layout->size())
       return;
     std::vector<std::string> names = layout->names();
     reader.error(at, "measures a state of " + std::to_string(device->state_size()) +
@@ -146,7 +150,8 @@ void read_groups(Reader& reader, const Place& at, std::vector<Group>& out) {
 void read_devices(Reader& reader, const Place& at, bool motion_known, Scene& scene) {
   if (!reader.expect(at, Node::Kind::list, "a list of devices")) return;
   const Node& node = at.node();
-  if (node.items.empty()) reader.error(at, "the list is empty; a system needs a device");
+  if (node.items.empty())
+    reader.error(at, "the list is empty; a system needs a device");
   std::vector<std::string> groups;
   for (const Group& group : scene.groups) groups.push_back(group.name);
   std::map<std::string, int> line_of;
@@ -154,7 +159,8 @@ void read_devices(Reader& reader, const Place& at, bool motion_known, Scene& sce
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, member_name(node.items[i], i), node.items[i]);
     DeviceEntry entry;
-    read_device(reader, place, motion_known ? &scene.motion.layout : nullptr, groups, entry);
+    read_device(reader, place, motion_known ? &scene.motion.layout : nullptr, groups,
+                entry);
     if (!entry.name.empty()) {
       const Mark mark = node.items[i].find("name")->mark;
       const auto [first, is_new] = line_of.emplace(entry.name, mark.line);
@@ -179,7 +185,8 @@ Node write_groups(const std::vector<Group>& groups) {
 
 Node write_devices(const std::vector<DeviceEntry>& devices) {
   std::vector<Node> list;
-  for (const DeviceEntry& device : devices) list.push_back(write_map(kDeviceKeys, device));
+  for (const DeviceEntry& device : devices)
+    list.push_back(write_map(kDeviceKeys, device));
   return to_node(std::move(list));
 }
 

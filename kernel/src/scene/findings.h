@@ -22,18 +22,21 @@ class Findings {
   /// Announce a text; findings are sorted in the order of announcement.
   int add_source(std::string name);
 
-  void error(Mark where, std::string message);
+  /// @param path    of the value; may be empty
+  /// @param problem what is wrong with it, and what to do
+  void error(Mark where, std::string path, std::string problem);
 
   /// Errors so far: comparing two counts tells whether something between was in order.
   [[nodiscard]] std::size_t errors() const { return found_.size(); }
 
-  /// Append to `out` in order of position, without repeats.
+  /// Append to `out` in order of position. A value that several paths lead to, by way
+  /// of aliases, is reported under the first of them only.
   void move_to(Diagnostics& out);
 
  private:
   struct Finding {
     Mark where;
-    std::string message;
+    std::string path, problem;
   };
   std::vector<std::string> sources_;
   std::vector<Finding> found_;

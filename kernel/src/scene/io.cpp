@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "scene/node_text.h"
 #include "scene/override.h"
@@ -15,8 +16,10 @@ std::optional<Scene> load_scene(const std::filesystem::path& file,
                                 const std::vector<Override>& overrides,
                                 PluginRegistry& plugins, Diagnostics& diagnostics) {
   const auto refuse = [&](const std::string& why) {
-    diagnostics.push_back(
-        {{file.string(), 0, 0}, Severity::error, "the scene can't be read: " + why});
+    Diagnostic diagnostic;
+    diagnostic.where.file = file.string();
+    diagnostic.message = "the scene can't be read: " + why;
+    diagnostics.push_back(std::move(diagnostic));
     return std::nullopt;
   };
   std::error_code ignored;
@@ -28,14 +31,15 @@ std::optional<Scene> load_scene(const std::filesystem::path& file,
   return parse_scene(text, file, overrides, plugins, diagnostics);
 }
 
-std::optional<Scene> parse_scene(std::string_view text, const std::filesystem::path& file,
+std::optional<Scene> parse_scene(std::string_view text,
+                                 const std::filesystem::path& file,
                                  const std::vector<Override>& overrides,
                                  PluginRegistry& plugins, Diagnostics& diagnostics) {
   Findings findings;
   const int source = findings.add_source(file.string());
   std::optional<Scene> scene;
   if (auto tree = parse_yaml(text, source, true, findings)) {
-    Reader reader(findings, plugins, file.parent_path());
+    Reader reader{findings, plugins, file.parent_path()};
     check_duplicate_keys(reader, Place(*tree));
     for (const Override& change : overrides) apply_override(*tree, change, findings);
     scene = read_scene(reader, *tree);

@@ -1,4 +1,5 @@
-// The keys of a mapping, declared once: reading, writing, help and suggestions share them.
+// The keys of a mapping, declared once: reading, writing, help and suggestions share
+// them.
 #pragma once
 
 #include <array>
@@ -32,7 +33,8 @@ struct Key {
 /// Unknown, missing, empty and not yet supported keys are found here.
 /// @returns false where it isn't a mapping.
 template <class T, std::size_t N>
-bool read_map(Reader& reader, const Place& at, const std::array<Key<T>, N>& keys, T& out) {
+bool read_map(Reader& reader, const Place& at, const std::array<Key<T>, N>& keys,
+              T& out) {
   const Node& node = at.node();
   if (!reader.expect(at, Node::Kind::map, "a mapping")) return false;
 
@@ -53,7 +55,8 @@ bool read_map(Reader& reader, const Place& at, const std::array<Key<T>, N>& keys
     const Node* value = node.find(key.name);
     if (!value) {
       if (key.need == Need::required)
-        reader.error_within(at, node.mark, key.name, std::string("missing: ") + key.help);
+        reader.error_within(at, node.mark, key.name,
+                            std::string("missing: ") + key.help);
     } else if (key.need == Need::later) {
       reader.error_within(at, value->mark, key.name,
                           std::string("not supported by this version: ") + key.help);

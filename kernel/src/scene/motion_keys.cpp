@@ -1,12 +1,11 @@
 #include "scene/motion_keys.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <set>
 
 #include "delos/scene/units.h"
 #include "scene/node_text.h"
+#include "scene/noise_check.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -39,26 +38,6 @@ std::string q_unit(const StateLayout& layout, int i, int j) {
   return square + (power == 1 ? "/s" : "/s^" + std::to_string(power));
 }
 
-/// A finding where m(i, j) ≠ m(j, i).
-bool check_symmetric(Reader& reader, const Place& at, const Eigen::MatrixXd& m) {
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < i; ++j) {
-      if (m(i, j) == m(j, i)) continue;
-      const auto path = [](Eigen::Index a, Eigen::Index b) {
-        return std::to_string(a) + '.' + std::to_string(b);
-      };
-      reader.error(at, "is not symmetric: " + path(j, i) + " is " + shortest(m(j, i)) +
-                           ", " + path(i, j) + " is " + shortest(m(i, j)));
-      return false;
-    }
-  return true;
-}
-
-double least_eigenvalue(const Eigen::MatrixXd& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
-}
-
 void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
   const int d = draft.layout.coordinates();
   const std::size_t before = reader.findings.errors();
@@ -69,8 +48,9 @@ void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
     const auto value = reader.number(entry, q_unit(draft.layout, i, i));
     if (!value) continue;
     if (!(*value > 0))
-      reader.error(entry, shortest(*value) + " isn't above 0; the noise that drives the "
-                                             "motion must be positive");
+      reader.error(entry, shortest(*value) +
+                              " isn't above 0; the noise that drives the "
+                              "motion must be positive");
     q(i, i) = *value;
   }
   if (reader.findings.errors() == before) draft.q = q;
@@ -82,17 +62,12 @@ void read_full_q(Reader& reader, const Place& at, Draft& draft) {
       at, [&](int i, int j) { return q_unit(draft.layout, i % d, j % d); });
   if (!m) return;
   if (m->rows() != d || m->cols() != d) {
-    reader.error(at, "is " + std::to_string(m->rows()) + "×" + std::to_string(m->cols()) +
-                         ", but the state has " + std::to_string(d) + " coordinates");
+    reader.error(at, "is " + std::to_string(m->rows()) + "×" +
+                         std::to_string(m->cols()) + ", but the state has " +
+                         std::to_string(d) + " coordinates");
     return;
   }
-  if (!check_symmetric(reader, at, *m)) return;
-  if (Eigen::LLT<Eigen::MatrixXd>(*m).info() != Eigen::Success) {
-    reader.error(at, "is not positive definite: its least eigenvalue is " +
-                         shortest(least_eigenvalue(*m)));
-    return;
-  }
-  draft.q = *m;
+  if (check_positive_definite(reader, at, *m)) draft.q = *m;
 }
 
 void read_q(Reader& reader, const Place& at, Draft& draft) {
@@ -101,7 +76,8 @@ void read_q(Reader& reader, const Place& at, Draft& draft) {
   const auto& items = at.node().items;
   const auto d = static_cast<std::size_t>(draft.layout.coordinates());
   if (items.size() != d) {
-    reader.error(at, "has " + std::to_string(items.size()) + " members, but the state '" +
+    reader.error(at, "has " + std::to_string(items.size()) +
+                         " members, but the state '" +
                          word_of(kPoseStateWords, draft.layout.pose) + "' has " +
                          std::to_string(d) + " coordinates");
     return;
@@ -125,8 +101,8 @@ void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>
   auto m = reader.matrix(at, [](int, int) { return "1"; });
   if (!m) return;
   if (m->rows() != m->cols())
-    reader.error(at, "is " + std::to_string(m->rows()) + "×" + std::to_string(m->cols()) +
-                         ", but must be square");
+    reader.error(at, "is " + std::to_string(m->rows()) + "×" +
+                         std::to_string(m->cols()) + ", but must be square");
   else if (m->rows() > kMaxState)
     reader.error(at, "has " + std::to_string(m->rows()) + " states; at most " +
                          std::to_string(kMaxState) + " are possible");
@@ -160,7 +136,8 @@ constexpr std::array<Key<Draft>, 7> kKeys = {{
        if (*d.type > 0) return std::nullopt;
        return to_node(d.layout.order);
      }},
-    {"names", Need::optional, "custom: names of the states behind the blocks", read_names,
+    {"names", Need::optional, "custom: names of the states behind the blocks",
+     read_names,
      [](const Draft& d) -> std::optional<Node> {
        if (d.layout.extra.empty()) return std::nullopt;
        std::vector<Node> names;
@@ -168,7 +145,8 @@ constexpr std::array<Key<Draft>, 7> kKeys = {{
        return to_node(std::move(names));
      }},
     {"q", Need::optional,
-     "spectral density of the driving noise: one number a coordinate, or a symmetric matrix",
+     "spectral density of the driving noise: one number a coordinate, or a symmetric "
+     "matrix",
      read_q,
      [](const Draft& d) -> std::optional<Node> {
        if (!d.q) return std::nullopt;
@@ -214,16 +192,6 @@ void check_keys(Reader& reader, const Place& at, const Draft& draft) {
   }
 }
 
-void check_noise(Reader& reader, const Place& at, const Eigen::MatrixXd& Q) {
-  if (!check_symmetric(reader, at, Q)) return;
-  // Eigenvalues are exact to rounding only; a singular Q is allowed.
-  constexpr double kRounding = 1e-12;
-  const double least = least_eigenvalue(Q);
-  if (least < -kRounding * Q.cwiseAbs().maxCoeff())
-    reader.error(at, "is not positive semidefinite: its least eigenvalue is " +
-                         shortest(least));
-}
-
 void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
   const auto base = static_cast<std::size_t>(draft.layout.size());
   const std::size_t extra = static_cast<std::size_t>(draft.A->rows()) - base;
@@ -231,8 +199,8 @@ void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
   if (draft.names) {
     const Place place(at, "names", *at.node().find("names"));
     if (draft.names->size() != extra) {
-      reader.error(place, "has " + std::to_string(draft.names->size()) + " names, but " +
-                              std::to_string(extra) + " of the " +
+      reader.error(place, "has " + std::to_string(draft.names->size()) +
+                              " names, but " + std::to_string(extra) + " of the " +
                               std::to_string(draft.A->rows()) +
                               " states are behind the blocks of coordinates");
       return;
@@ -245,13 +213,15 @@ void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
                      '\'' + (*draft.names)[i] + "' names another state already");
     names = *draft.names;
   } else {
-    for (std::size_t i = 0; i < extra; ++i) names.push_back("extra" + std::to_string(i + 1));
+    for (std::size_t i = 0; i < extra; ++i)
+      names.push_back("extra" + std::to_string(i + 1));
   }
   draft.layout.extra = std::move(names);
 }
 
 void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& out) {
-  if (draft.Q) check_noise(reader, Place(at, "Q", *at.node().find("Q")), *draft.Q);
+  if (draft.Q)
+    check_positive_semidefinite(reader, Place(at, "Q", *at.node().find("Q")), *draft.Q);
   if (!draft.A || !draft.Q) return;
   if (draft.A->rows() != draft.Q->rows()) {
     reader.error(Place(at, "Q", *at.node().find("Q")),
@@ -264,7 +234,8 @@ void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& o
                  "has " + std::to_string(draft.A->rows()) + " states, but " +
                      std::to_string(draft.layout.order) + " × " +
                      std::to_string(draft.layout.coordinates()) +
-                     " coordinates need at least " + std::to_string(draft.layout.size()));
+                     " coordinates need at least " +
+                     std::to_string(draft.layout.size()));
     return;
   }
   name_extra_states(reader, at, draft);
@@ -290,7 +261,8 @@ Node write_motion(const MotionModel& motion) {
   Draft draft;
   draft.type = motion.is_chain() ? motion.layout.order : 0;
   draft.layout = motion.layout;
-  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics)) draft.q = chain->q;
+  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics))
+    draft.q = chain->q;
   if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics)) {
     draft.A = custom->A;
     draft.Q = custom->Q;

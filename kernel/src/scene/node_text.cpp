@@ -20,7 +20,9 @@ bool is_plain(const std::string& text) {
   const auto letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   };
-  const auto numeral = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; };
+  const auto numeral = [](char c) {
+    return (c >= '0' && c <= '9') || c == '.' || c == '-';
+  };
   // A sign alone, "-" or "---", means something else in YAML.
   const bool begins_well =
       letter(text[0]) || (text[0] >= '0' && text[0] <= '9') ||
@@ -79,7 +81,8 @@ void append_block(const Node& node, std::size_t indent, bool begun, std::string&
     out += map ? scalar_text(node.keys[i].text) + ':' : "-";
     std::string flow;
     append_flow(item, flow);
-    const bool collection = item.kind == Node::Kind::list || item.kind == Node::Kind::map;
+    const bool collection =
+        item.kind == Node::Kind::list || item.kind == Node::Kind::map;
     const bool block = collection && !item.items.empty() &&
                        (holds_maps(item) || flow.size() > kFlowWidth ||
                         (!map && item.kind == Node::Kind::map));

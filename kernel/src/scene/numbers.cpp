@@ -5,6 +5,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <system_error>
 
 #include "delos/scene/units.h"
@@ -49,7 +51,8 @@ NumberText scan_number(std::string_view text) {
   if (unsigned_text.size() > 1 && unsigned_text[0] == '0') {
     const char next = unsigned_text[1];
     if (is_digit(next))
-      number.problem = quoted + " has a leading zero; numbers are decimal, leave it out";
+      number.problem =
+          quoted + " has a leading zero; numbers are decimal, leave it out";
     else if ((next == 'x' || next == 'o' || next == 'b' || next == 'X') &&
              unsigned_text.size() > 2 &&
              std::isxdigit(static_cast<unsigned char>(unsigned_text[2])))
@@ -85,10 +88,20 @@ double scaled_decimal(std::string_view number, int exponent) {
   return value;
 }
 
+std::string rounded(double value, int digits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return shortest(std::strtod(text.data(), nullptr));
+}
+
 std::string grouped(long long value) {
-  std::string text = std::to_string(value);
-  for (auto at = static_cast<long long>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3)
-    text.insert(static_cast<std::size_t>(at), ",");
+  const std::string digits = std::to_string(value);
+  const std::size_t sign = value < 0 ? 1 : 0;
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > sign && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
   return text;
 }
 

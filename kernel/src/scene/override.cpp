@@ -97,7 +97,8 @@ class Walk {
     if (node.kind == Node::Kind::list) {
       Node* member = find_member(node, segment, key);
       return member ? member
-                    : fail(i, "there is no such member" + members_text(node, segment, key));
+                    : fail(i, "there is no such member" +
+                                  members_text(node, segment, key));
     }
     if (Node* value = node.find(segment)) return value;
     return add(node, i);
@@ -111,7 +112,8 @@ class Walk {
       const auto axes = components({});
       const bool of_vector =
           std::find(axes.begin(), axes.end(), segments_[i + 1]) != axes.end();
-      // `at` is the origin where it isn't given; no other vector is known to be anything.
+      // `at` is the origin where it isn't given; no other vector is known to be
+      // anything.
       if (of_vector && segment != "at")
         return fail(i, "isn't given, so one component can't be set; set it whole");
       Node& value = append(map, segment);
@@ -142,7 +144,7 @@ class Walk {
   Node* fail(std::size_t i, const std::string& problem) {
     std::string path = segments_[0];
     for (std::size_t j = 1; j <= i; ++j) path += '.' + segments_[j];
-    findings_.error({source_, 0, 0}, path + ": " + problem);
+    findings_.error({source_, 0, 0}, path, problem);
     return nullptr;
   }
 
@@ -163,7 +165,8 @@ void apply_override(Node& root, const Override& change, Findings& findings) {
 std::optional<Override> parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0) return std::nullopt;
-  return Override{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+  return Override{std::string(text.substr(0, equals)),
+                  std::string(text.substr(equals + 1))};
 }
 
 }  // namespace delos

@@ -10,8 +10,9 @@ namespace delos {
 /// Replace or add the value at a path.
 ///
 /// A path is keys joined by dots. Members of lists are called by their `name`, else by
-/// index; components of coordinates by x, y, z (roll, pitch, yaw; w, x, y, z). A key that
-/// is absent is added, and checked like any other; members of lists and of `groups` aren't.
+/// index; components of coordinates by x, y, z (roll, pitch, yaw; w, x, y, z). A key
+/// that is absent is added, and checked like any other; members of lists and of
+/// `groups` aren't.
 void apply_override(Node& root, const Override& change, Findings& findings);
 
 }  // namespace delos

@@ -84,7 +84,8 @@ std::optional<ParamValue> read_value(Reader& reader, const Place& at,
 }
 
 bool has_default(const ParamSpec& spec) {
-  return spec.kind == ParamKind::number ? !std::isnan(spec.initial) : spec.text != nullptr;
+  return spec.kind == ParamKind::number ? !std::isnan(spec.initial)
+                                        : spec.text != nullptr;
 }
 
 /// The table's default, which is text for all but numbers.
@@ -124,7 +125,8 @@ void read_params(Reader& reader, const Place& device, const PluginInfo& info,
     else if (has_default(spec))
       read = default_value(reader, info, spec);
     else
-      reader.error_within(at, node.mark, spec.name, std::string("missing: ") + spec.help);
+      reader.error_within(at, node.mark, spec.name,
+                          std::string("missing: ") + spec.help);
     if (read) out.set(spec.name, std::move(*read));
   }
 }

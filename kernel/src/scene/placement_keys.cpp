@@ -37,7 +37,8 @@ void read_quaternion(Reader& reader, const Place& at, Placement& out) {
       q.wxyz[static_cast<Eigen::Index>(i)] = *value;
   if (reader.findings.errors() != before) return;
   if (q.wxyz.isZero(0))
-    reader.error(at, "has length zero, which is no orientation; identity is [1, 0, 0, 0]");
+    reader.error(at,
+                 "has length zero, which is no orientation; identity is [1, 0, 0, 0]");
   out.facing = q;
 }
 
@@ -69,8 +70,9 @@ void check_placement(Reader& reader, const Place& at, const Placement& placement
     const Node* node = at.node().find(key);
     if (!node) continue;
     if (!given.empty())
-      reader.error_within(at, node->mark, key,
-                          "the orientation is given by '" + given + "' already; keep one");
+      reader.error_within(
+          at, node->mark, key,
+          "the orientation is given by '" + given + "' already; keep one");
     given = key;
   }
   const auto* aim = std::get_if<Aim>(&placement.facing);

@@ -39,7 +39,8 @@ inline constexpr Key<T> kRpyKey = {
     [](const T& t) { return write_rpy(t.placement); }};
 template <class T>
 inline constexpr Key<T> kQuaternionKey = {
-    "quaternion_wxyz", Need::optional, "orientation as [w, x, y, z], of any length but 0",
+    "quaternion_wxyz", Need::optional,
+    "orientation as [w, x, y, z], of any length but 0",
     [](Reader& r, const Place& p, T& t) { read_quaternion(r, p, t.placement); },
     [](const T& t) { return write_quaternion(t.placement); }};
 

@@ -59,16 +59,18 @@ bool is_header(const std::vector<Cell>& cells) {
 }
 
 bool ends_with(std::string_view file, std::string_view suffix) {
-  return file.size() > suffix.size() && file.substr(file.size() - suffix.size()) == suffix;
+  return file.size() > suffix.size() &&
+         file.substr(file.size() - suffix.size()) == suffix;
 }
 
 /// A row's point; false, with a finding, where the row is malformed.
-bool read_row(const std::vector<Cell>& cells, const char* form, Mark at, Findings& findings,
-              Eigen::Vector3d& point) {
+bool read_row(const std::vector<Cell>& cells, const char* form, Mark at,
+              Findings& findings, Eigen::Vector3d& point) {
   if (cells.size() != 3) {
     at.column = cells[std::min<std::size_t>(cells.size() - 1, 3)].column;
-    findings.error(at, std::string("expected three numbers ") + form + ", found " +
-                           std::to_string(cells.size()));
+    findings.error(at, {},
+                   std::string("expected three numbers ") + form + ", found " +
+                       std::to_string(cells.size()));
     return false;
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -79,10 +81,11 @@ bool read_row(const std::vector<Cell>& cells, const char* form, Mark at, Finding
       continue;
     }
     at.column = cells[i].column;
-    findings.error(at, !number.problem.empty()
-                           ? number.problem
-                           : '\'' + std::string(cells[i].text) +
-                                 "' isn't a number; rows are " + form + " in metres");
+    findings.error(at, {},
+                   !number.problem.empty()
+                       ? number.problem
+                       : '\'' + std::string(cells[i].text) +
+                             "' isn't a number; rows are " + form + " in metres");
     return false;
   }
   return true;
@@ -119,7 +122,7 @@ std::vector<Eigen::Vector3d> parse_points(std::string_view text, std::string_vie
     if (read_row(cells, form, {source, line_number, 1}, findings, point)) {
       points.push_back(point);
     } else if (++bad_rows == kMostFindings) {
-      findings.error({source, line_number + 1, 0},
+      findings.error({source, line_number + 1, 0}, {},
                      "too many malformed rows; the rest of the file wasn't read");
       break;
     }

@@ -13,10 +13,14 @@ namespace {
 
 const char* kind_name(Node::Kind kind) {
   switch (kind) {
-    case Node::Kind::null: return "nothing";
-    case Node::Kind::scalar: return "a single value";
-    case Node::Kind::list: return "a list";
-    case Node::Kind::map: return "a mapping";
+    case Node::Kind::null:
+      return "nothing";
+    case Node::Kind::scalar:
+      return "a single value";
+    case Node::Kind::list:
+      return "a list";
+    case Node::Kind::map:
+      return "a mapping";
   }
   return "";
 }
@@ -38,14 +42,13 @@ std::string Place::path(std::string_view segment) const {
   return text.append(segment);
 }
 
-void Reader::error(const Place& at, std::string_view problem) {
-  const std::string path = at.path();
-  findings.error(at.node().mark, (path.empty() ? "" : path + ": ").append(problem));
+void Reader::error(const Place& at, std::string problem) {
+  findings.error(at.node().mark, at.path(), std::move(problem));
 }
 
 void Reader::error_within(const Place& at, Mark mark, std::string_view segment,
-                          std::string_view problem) {
-  findings.error(mark, at.path(segment).append(": ").append(problem));
+                          std::string problem) {
+  findings.error(mark, at.path(segment), std::move(problem));
 }
 
 bool Reader::expect(const Place& at, Node::Kind kind, std::string_view what) {
@@ -102,9 +105,11 @@ std::optional<std::string> Reader::name(const Place& at) {
 }
 
 std::optional<Eigen::Vector3d> Reader::vector3(
-    const Place& at, std::string_view unit, const std::array<const char*, 3>& components) {
+    const Place& at, std::string_view unit,
+    const std::array<const char*, 3>& components) {
   const auto& [a, b, c] = components;
-  const std::string form = std::string("three numbers [") + a + ", " + b + ", " + c + ']';
+  const std::string form =
+      std::string("three numbers [") + a + ", " + b + ", " + c + ']';
   if (!expect(at, Node::Kind::list, form)) return std::nullopt;
   const auto& items = at.node().items;
   if (items.size() != 3) {
@@ -123,7 +128,8 @@ std::optional<Eigen::Vector3d> Reader::vector3(
 }
 
 std::optional<std::vector<Eigen::Vector3d>> Reader::vectors3(
-    const Place& at, std::string_view unit, const std::array<const char*, 3>& components) {
+    const Place& at, std::string_view unit,
+    const std::array<const char*, 3>& components) {
   if (!expect(at, Node::Kind::list, "a list of lists")) return std::nullopt;
   const auto& items = at.node().items;
   if (items.empty()) {
@@ -159,9 +165,8 @@ std::optional<Eigen::MatrixXd> Reader::matrix(
       continue;
     }
     for (std::size_t j = 0; j < columns; ++j) {
-      const auto value =
-          number(Place(row, std::to_string(j), rows[i].items[j]),
-                 unit(static_cast<int>(i), static_cast<int>(j)));
+      const auto value = number(Place(row, std::to_string(j), rows[i].items[j]),
+                                unit(static_cast<int>(i), static_cast<int>(j)));
       if (value) m(static_cast<int>(i), static_cast<int>(j)) = *value;
     }
   }
@@ -199,11 +204,12 @@ void check_duplicate_keys(Reader& reader, const Place& at) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const bool map = node.kind == Node::Kind::map;
     if (map) {
-      const auto [known, is_new] = first.emplace(node.keys[i].text, node.keys[i].mark.line);
+      const auto [known, is_new] =
+          first.emplace(node.keys[i].text, node.keys[i].mark.line);
       if (!is_new)
-        reader.error_within(at, node.keys[i].mark, node.keys[i].text,
-                            "duplicate key; the first is on line " +
-                                std::to_string(known->second));
+        reader.error_within(
+            at, node.keys[i].mark, node.keys[i].text,
+            "duplicate key; the first is on line " + std::to_string(known->second));
     }
     if (node.items[i].items.empty()) continue;
     check_duplicate_keys(

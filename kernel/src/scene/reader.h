@@ -40,16 +40,16 @@ class Place {
 inline constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 /// Reads single values. A function that returns nullopt or false has made a finding.
-class Reader {
- public:
-  Reader(Findings& findings, PluginRegistry& plugins, std::filesystem::path folder)
-      : findings(findings), plugins(plugins), folder(std::move(folder)) {}
+struct Reader {
+  Findings& findings;
+  PluginRegistry& plugins;
+  std::filesystem::path folder;  ///< what relative paths start from
 
   /// "path: problem" at the place's node.
-  void error(const Place& at, std::string_view problem);
+  void error(const Place& at, std::string problem);
   /// About something that should be in the place, or that is there under a key.
   void error_within(const Place& at, Mark mark, std::string_view segment,
-                    std::string_view problem);
+                    std::string problem);
 
   /// A finding where the node is of another kind.
   bool expect(const Place& at, Node::Kind kind, std::string_view what);
@@ -68,8 +68,8 @@ class Reader {
       const Place& at, std::string_view unit,
       const std::array<const char*, 3>& components = kAxes);
   /// A list of rows of one length; `unit` of entry (i, j).
-  std::optional<Eigen::MatrixXd> matrix(const Place& at,
-                                        const std::function<std::string(int, int)>& unit);
+  std::optional<Eigen::MatrixXd> matrix(
+      const Place& at, const std::function<std::string(int, int)>& unit);
 
   /// One of a few words.
   template <class Enum, std::size_t N>
@@ -81,11 +81,8 @@ class Reader {
     if (!index) return std::nullopt;
     return words[*index].second;
   }
-  std::optional<std::size_t> choice(const Place& at, std::span<const std::string> known);
-
-  Findings& findings;
-  PluginRegistry& plugins;
-  const std::filesystem::path folder;  ///< what relative paths start from
+  std::optional<std::size_t> choice(const Place& at,
+                                    std::span<const std::string> known);
 };
 
 /// "; did you mean 'focal'?", or "; known: a, b, c" where nothing is near.

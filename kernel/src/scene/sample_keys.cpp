@@ -1,10 +1,8 @@
 #include "scene/sample_keys.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <system_error>
 
@@ -12,6 +10,7 @@
 #include "scene/node_text.h"
 #include "scene/point_file.h"
 #include "scene/sample_limit.h"
+#include "scene/sample_shapes.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -19,86 +18,13 @@ namespace {
 
 using Written = std::optional<Node>;
 
-void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
-  if (const auto v = reader.vector3(at, "m")) out = *v;
-}
-
-// ---- volume ----
-
-/// One step for all axes, or a list of three.
-void read_step(Reader& reader, const Place& at, VolumeSampling& out) {
-  const bool list = at.node().kind == Node::Kind::list;
-  const std::size_t before = reader.findings.errors();
-  if (list) {
-    read_vector(reader, at, out.step);
-  } else if (const auto step = reader.number(at, "m")) {
-    out.step.setConstant(*step);
-  }
-  if (reader.findings.errors() != before) return;
-  for (std::size_t i = 0; i < (list ? 3 : 1); ++i) {
-    if (out.step[static_cast<Eigen::Index>(i)] > 0) continue;
-    constexpr const char* kProblem = "must be above 0";
-    if (list)
-      reader.error(Place(at, kAxes[i], at.node().items[i]), kProblem);
-    else
-      reader.error(at, kProblem);
-  }
-}
-
-constexpr std::array<Key<VolumeSampling>, 4> kVolumeKeys = {{
-    {"min", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.min); },
-     [](const VolumeSampling& v) -> Written { return vector_node(v.min); }},
-    {"max", Need::required, "opposite corner [x, y, z], metres",
-     [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.max); },
-     [](const VolumeSampling& v) -> Written { return vector_node(v.max); }},
-    {"step", Need::required, "distance of samples, metres: a number or [x, y, z]", read_step,
-     [](const VolumeSampling& v) -> Written {
-       if (v.step.x() == v.step.y() && v.step.y() == v.step.z())
-         return to_node(v.step.x());
-       return vector_node(v.step);
-     }},
-    {"adaptive", Need::later, "refinement where the field bends"},
-}};
-
-// ---- plane ----
-
-void read_counts(Reader& reader, const Place& at, PlaneSampling& out) {
-  if (!reader.expect(at, Node::Kind::list, "two whole numbers [nu, nv]")) return;
-  const auto& items = at.node().items;
-  if (items.size() != 2) {
-    reader.error(at, "expected two whole numbers [nu, nv], not " +
-                         std::to_string(items.size()) + " members");
-    return;
-  }
-  for (std::size_t i = 0; i < 2; ++i)
-    if (const auto n = reader.integer(Place(at, std::to_string(i), items[i]), 1,
-                                      std::numeric_limits<int>::max()))
-      out.counts[static_cast<Eigen::Index>(i)] = *n;
-}
-
-constexpr std::array<Key<PlaneSampling>, 4> kPlaneKeys = {{
-    {"origin", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.origin); },
-     [](const PlaneSampling& s) -> Written { return vector_node(s.origin); }},
-    {"u", Need::required, "first edge [x, y, z], metres",
-     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.u); },
-     [](const PlaneSampling& s) -> Written { return vector_node(s.u); }},
-    {"v", Need::required, "second edge [x, y, z], metres",
-     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.v); },
-     [](const PlaneSampling& s) -> Written { return vector_node(s.v); }},
-    {"counts", Need::required, "samples along u and v, [nu, nv]", read_counts,
-     [](const PlaneSampling& s) -> Written {
-       return to_node(std::vector<Node>{to_node(s.counts[0]), to_node(s.counts[1])});
-     }},
-}};
-
 // ---- orientations ----
 
 constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
 
 constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
-    {"rpy", Need::optional, "target orientations tried at each point, [[roll, pitch, yaw], …]",
+    {"rpy", Need::optional,
+     "target orientations tried at each point, [[roll, pitch, yaw], …]",
      [](Reader& r, const Place& p, Orientations& o) {
        if (auto rpy = r.vectors3(p, "rad", kAngles)) o.rpy = std::move(*rpy);
      },
@@ -122,32 +48,16 @@ struct Draft {
   std::optional<Orientations> orientations;
 };
 
-template <class Shape, std::size_t N>
-void read_shape(Reader& reader, const Place& at, const std::array<Key<Shape>, N>& keys,
-                Draft& out) {
-  const std::size_t before = reader.findings.errors();
-  Shape shape;
-  read_map(reader, at, keys, shape);
-  out.complete = reader.findings.errors() == before;
-  if (out.complete) out.set.shape = shape;
+void read_volume_set(Reader& reader, const Place& at, Draft& out) {
+  const auto volume = read_volume(reader, at);
+  out.complete = volume.has_value();
+  if (volume) out.set.shape = *volume;
 }
 
-void read_volume(Reader& reader, const Place& at, Draft& out) {
-  read_shape(reader, at, kVolumeKeys, out);
-  if (!out.complete) return;
-  const auto& v = std::get<VolumeSampling>(out.set.shape);
-  const Node& max = *at.node().find("max");
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    const double steps = (v.max[axis] - v.min[axis]) / v.step[axis];
-    if (steps >= 0 && std::isfinite(steps)) continue;
-    const Place place(at, "max", max);
-    reader.error(Place(place, kAxes[i], max.items[i]),
-                 '\'' + max.items[i].text +
-                     (steps < 0 ? "' is below min; exchange them"
-                                : "' is too far from min for this step"));
-    out.complete = false;
-  }
+void read_plane_set(Reader& reader, const Place& at, Draft& out) {
+  const auto plane = read_plane(reader, at);
+  out.complete = plane.has_value();
+  if (plane) out.set.shape = *plane;
 }
 
 void read_points(Reader& reader, const Place& at, Draft& out) {
@@ -193,18 +103,17 @@ constexpr std::array<Key<Draft>, 8> kSetKeys = {{
        if (d.set.name.empty()) return std::nullopt;
        return to_node(d.set.name);
      }},
-    {"volume", Need::optional, "grid in a box", read_volume,
+    {"volume", Need::optional, "grid in a box", read_volume_set,
      [](const Draft& d) -> Written {
        const auto* v = std::get_if<VolumeSampling>(&d.set.shape);
        if (!v) return std::nullopt;
-       return write_map(kVolumeKeys, *v);
+       return write_volume(*v);
      }},
-    {"plane", Need::optional, "samples on a parallelogram",
-     [](Reader& r, const Place& p, Draft& d) { read_shape(r, p, kPlaneKeys, d); },
+    {"plane", Need::optional, "samples on a parallelogram", read_plane_set,
      [](const Draft& d) -> Written {
        const auto* p = std::get_if<PlaneSampling>(&d.set.shape);
        if (!p) return std::nullopt;
-       return write_map(kPlaneKeys, *p);
+       return write_plane(*p);
      }},
     {"points", Need::optional, "given points [[x, y, z], …], metres", read_points,
      [](const Draft& d) -> Written {
@@ -212,7 +121,8 @@ constexpr std::array<Key<Draft>, 8> kSetKeys = {{
        if (!p || !p->file.empty()) return std::nullopt;
        return to_node(p->points);
      }},
-    {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene", read_file,
+    {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene",
+     read_file,
      [](const Draft& d) -> Written {
        const auto* p = std::get_if<PointSampling>(&d.set.shape);
        if (!p || p->file.empty()) return std::nullopt;
@@ -243,8 +153,9 @@ bool check_one_shape(Reader& reader, const Place& at) {
     const Node* node = at.node().find(shape);
     if (!node) continue;
     if (!given.empty()) {
-      reader.error_within(at, node->mark, shape,
-                          "the set is given by '" + given + "' already; make a list of sets");
+      reader.error_within(
+          at, node->mark, shape,
+          "the set is given by '" + given + "' already; make a list of sets");
       one = false;
     }
     given = shape;
@@ -265,8 +176,10 @@ void report_too_many(Reader& reader, const Place& at, const SampleSet& set) {
     else
       reader.error(place, problem);
   };
-  if (std::holds_alternative<VolumeSampling>(set.shape)) return within("volume", "step");
-  if (std::holds_alternative<PlaneSampling>(set.shape)) return within("plane", "counts");
+  if (std::holds_alternative<VolumeSampling>(set.shape))
+    return within("volume", "step");
+  if (std::holds_alternative<PlaneSampling>(set.shape))
+    return within("plane", "counts");
   within(std::get<PointSampling>(set.shape).file.empty() ? "points" : "file", nullptr);
 }
 

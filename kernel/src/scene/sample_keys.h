@@ -9,11 +9,12 @@
 
 namespace delos {
 
-/// Most samples of a scene; more would rather fill a machine's memory than tell anything.
+/// Most samples of a scene; more would rather fill a machine's memory than tell
+/// anything.
 inline constexpr std::int64_t kMostSamples = 50'000'000;
 
-/// Read the sets of `sample`: one mapping, or a list of them. Orientations belong to the
-/// whole scene; they may stand in the mapping, or beside `sample` in the scene.
+/// Read the sets of `sample`: one mapping, or a list of them. Orientations belong to
+/// the whole scene; they may stand in the mapping, or beside `sample` in the scene.
 void read_samples(Reader& reader, const Place& at, Scene& out);
 void read_orientations(Reader& reader, const Place& at, Orientations& out);
 

@@ -1,8 +1,7 @@
 #include "scene/sample_limit.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "delos/sampling/samples.h"
 #include "delos/scene/units.h"
@@ -14,15 +13,10 @@ namespace {
 /// A point (24), its value and flag, and what a writer holds of them.
 constexpr double kBytesPerSample = 40;
 
-std::string rounded(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", value);
-  return shortest(std::strtod(text.data(), nullptr));
-}
-
 std::string memory(std::int64_t samples) {
   const double bytes = kBytesPerSample * static_cast<double>(samples);
-  return bytes < 1e12 ? rounded(bytes / 1e9) + " GB" : rounded(bytes / 1e12) + " TB";
+  return bytes < 1e12 ? rounded(bytes / 1e9, 2) + " GB"
+                      : rounded(bytes / 1e12, 2) + " TB";
 }
 
 /// The least number of two significant digits that isn't below the value.
@@ -48,15 +42,16 @@ std::string fitting_step(const VolumeSampling& volume, std::int64_t most) {
   }
   const auto step = std::get<VolumeSampling>(with_step(volume, fits).shape).step;
   if (step.x() == step.y() && step.y() == step.z()) return shortest(step.x());
-  return '[' + shortest(step.x()) + ", " + shortest(step.y()) + ", " + shortest(step.z()) +
-         ']';
+  return '[' + shortest(step.x()) + ", " + shortest(step.y()) + ", " +
+         shortest(step.z()) + ']';
 }
 
 std::string fitting_counts(const PlaneSampling& plane, std::int64_t most) {
   const double u = plane.counts[0], v = plane.counts[1];
   const double factor = std::sqrt(static_cast<double>(most) / (u * v));
   // A count below 1 leaves the other one all the room.
-  const double nu = std::min(std::max(1.0, std::floor(u * factor)), static_cast<double>(most));
+  const double nu =
+      std::min(std::max(1.0, std::floor(u * factor)), static_cast<double>(most));
   const double nv = std::min(std::floor(static_cast<double>(most) / nu), v);
   return '[' + std::to_string(static_cast<std::int64_t>(nu)) + ", " +
          std::to_string(static_cast<std::int64_t>(nv)) + ']';

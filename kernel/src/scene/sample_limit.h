@@ -8,8 +8,8 @@
 
 namespace delos {
 
-/// "1,000,000,000 samples would need about 40 GB; at most 50,000,000: use step 0.0028 or
-/// coarser", with a step or counts that fit, rounded to two digits.
+/// "1,000,000,000 samples would need about 40 GB; at most 50,000,000: use step 0.0028
+/// or coarser", with a step or counts that fit, rounded to two digits.
 [[nodiscard]] std::string too_many_samples(const SampleSet& set, std::int64_t most);
 
 /// "1,000,000,000 samples would need about 40 GB; at most 50,000,000"

@@ -26,14 +26,17 @@ struct Draft {
 void read_format(Reader& reader, const Place& at, Draft&) {
   const auto text = reader.word(at);
   if (text && *text != std::to_string(kFormat))
-    reader.error(at, "'" + *text + "' isn't a format version that this program reads; "
-                     "it reads " + std::to_string(kFormat));
+    reader.error(at, "'" + *text +
+                         "' isn't a format version that this program reads; "
+                         "it reads " +
+                         std::to_string(kFormat));
 }
 
 // ---- target ----
 
 constexpr std::array<Key<Scene>, 1> kTargetKeys = {{
-    {"markers", Need::optional, "points on the target [[x, y, z], …], metres, in its frame",
+    {"markers", Need::optional,
+     "points on the target [[x, y, z], …], metres, in its frame",
      [](Reader& r, const Place& p, Scene& s) {
        if (auto markers = r.vectors3(p, "m")) s.markers = std::move(*markers);
      },
@@ -114,7 +117,8 @@ constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
 /// Two devices whose rates differ, or null.
 std::pair<const DeviceEntry*, const DeviceEntry*> different_rates(const Scene& scene) {
   for (const DeviceEntry& device : scene.devices)
-    if (device.rate != scene.devices.front().rate) return {&scene.devices.front(), &device};
+    if (device.rate != scene.devices.front().rate)
+      return {&scene.devices.front(), &device};
   return {nullptr, nullptr};
 }
 
@@ -139,8 +143,9 @@ void check_fusion(Reader& reader, const Place& root, const Scene& scene) {
            (custom ? "; make them equal" : "; use continuous or periodic"));
   if (!custom) return;
   if (scene.fusion == Fusion::continuous || scene.fusion == Fusion::periodic)
-    refuse(std::string(to_string(*scene.fusion)) +
-           " needs a motion in continuous time, which custom motion isn't; use stacked");
+    refuse(
+        std::string(to_string(*scene.fusion)) +
+        " needs a motion in continuous time, which custom motion isn't; use stacked");
   else if (a && (!scene.fusion || scene.fusion == Fusion::artemis ||
                  scene.fusion == Fusion::sequential))
     refuse("custom motion is one update of one rate, but " + rates_text(*a, *b) +
@@ -175,6 +180,8 @@ Scene read_scene(Reader& reader, const Node& root) {
   return std::move(draft.scene);
 }
 
-Node scene_node(const Scene& scene) { return write_map(kSceneKeys, Draft{scene, true}); }
+Node scene_node(const Scene& scene) {
+  return write_map(kSceneKeys, Draft{scene, true});
+}
 
 }  // namespace delos

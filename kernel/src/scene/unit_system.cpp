@@ -15,10 +15,10 @@ namespace {
 
 /// Units that people mean where they mistype one.
 const std::vector<std::string> kCommon = {
-    "m",  "mm",    "cm",  "km",   "um",    "in",    "ft",      "rad",   "deg",     "mrad",
-    "s",  "ms",    "us",  "min",  "Hz",    "kHz",   "MHz",     "px",    "%",       "kg",
-    "g",  "m/s",   "N",   "m/s^2", "rad/s", "deg/s", "rad/s^2", "m^2",   "mm^2",    "deg^2",
-    "K",  "Pa",    "V",   "A",    "T"};
+    "m",    "mm",   "cm",    "km",  "um",  "in",    "ft",    "rad",   "deg",
+    "mrad", "s",    "ms",    "us",  "min", "Hz",    "kHz",   "MHz",   "px",
+    "%",    "kg",   "g",     "m/s", "N",   "m/s^2", "rad/s", "deg/s", "rad/s^2",
+    "m^2",  "mm^2", "deg^2", "K",   "Pa",  "V",     "A",     "T"};
 
 /// Collects a unit's parts while UDUNITS walks over it.
 struct Walk {
@@ -60,8 +60,8 @@ ut_status visit_logarithmic(const ut_unit*, double, const ut_unit*, void* walk) 
 ut_status visit_galilean(const ut_unit*, double scale, const ut_unit* underlying,
                          double offset, void* walk);
 
-const ut_visitor kVisitor = {visit_basic, visit_product, visit_galilean, visit_timestamp,
-                             visit_logarithmic};
+const ut_visitor kVisitor = {visit_basic, visit_product, visit_galilean,
+                             visit_timestamp, visit_logarithmic};
 
 ut_status visit_galilean(const ut_unit*, double scale, const ut_unit* underlying,
                          double offset, void* walk) {
@@ -80,11 +80,13 @@ std::optional<int> decimal_exponent(double scale) {
   return exponent;
 }
 
-/// Factors of a unit, as in "m 2", are no part of how people write quantities; "1/s" is.
+/// Factors of a unit, as in "m 2", are no part of how people write quantities; "1/s"
+/// is.
 bool has_stray_number(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!std::isdigit(static_cast<unsigned char>(text[i]))) continue;
-    if (i == 0 && text.size() > 1 && text[0] == '1' && (text[1] == '/' || text[1] == ' '))
+    if (i == 0 && text.size() > 1 && text[0] == '1' &&
+        (text[1] == '/' || text[1] == ' '))
       continue;
     if (i == 0 || std::isspace(static_cast<unsigned char>(text[i - 1])) ||
         text[i - 1] == '*' || text[i - 1] == '/' || text[i - 1] == '.')
@@ -125,11 +127,12 @@ class UnitSystem {
     };
     if (!system_)
       return refuse(
-          "units can't be read: the UDUNITS database udunits2.xml isn't installed; write "
+          "units can't be read: the UDUNITS database udunits2.xml isn't installed; "
+          "write "
           "the number in SI without a unit");
     if (text == "1") return {Unit{{}, 1, 0, 0}, {}};
-    ut_unit* parsed = has_stray_number(text) ? nullptr
-                                             : ut_parse(system_, text.c_str(), UT_UTF8);
+    ut_unit* parsed =
+        has_stray_number(text) ? nullptr : ut_parse(system_, text.c_str(), UT_UTF8);
     if (!parsed) {
       const std::string meant = nearest(text, kCommon);
       return refuse("unknown unit '" + text + '\'' +
@@ -139,8 +142,10 @@ class UnitSystem {
     const ut_status status = ut_accept_visitor(parsed, &kVisitor, &walk);
     ut_free(parsed);
     if (status != UT_SUCCESS || !walk.linear)
-      return refuse('\'' + text + "' is a logarithmic unit or a date; write the value in SI");
-    std::erase_if(walk.unit.dimension, [](const auto& power) { return power.second == 0; });
+      return refuse('\'' + text +
+                    "' is a logarithmic unit or a date; write the value in SI");
+    std::erase_if(walk.unit.dimension,
+                  [](const auto& power) { return power.second == 0; });
     if (walk.unit.offset == 0) walk.unit.exponent = decimal_exponent(walk.unit.scale);
     return {std::move(walk.unit), {}};
   }

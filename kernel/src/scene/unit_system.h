@@ -1,4 +1,5 @@
-// What a unit's text means: its dimension, scale and offset. The only user of UDUNITS-2.
+// What a unit's text means: its dimension, scale and offset. The only user of
+// UDUNITS-2.
 #pragma once
 
 #include <map>
@@ -8,8 +9,8 @@
 
 namespace delos {
 
-/// Powers of base units: {{"m", 1}, {"s", -2}}. Unlike in UDUNITS, angles and pixels are
-/// dimensions of their own, and a period isn't a frequency.
+/// Powers of base units: {{"m", 1}, {"s", -2}}. Unlike in UDUNITS, angles and pixels
+/// are dimensions of their own, and a period isn't a frequency.
 using Dimension = std::map<std::string, int>;
 
 /// x of this unit is scale·(x + offset) in SI.

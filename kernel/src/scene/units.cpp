@@ -16,11 +16,16 @@ struct Quantity {
 };
 
 constexpr Quantity kQuantities[] = {
-    {"1", "a pure number", "0.5"},        {"m", "a length", "50 mm"},
-    {"rad", "an angle", "60 deg"},        {"s^-1", "a frequency", "100 Hz"},
-    {"s", "a time", "5 ms"},              {"px", "a number of pixels", "0.5 px"},
-    {"m s^-1", "a speed", "2 m/s"},       {"m s^-2", "an acceleration", "9.8 m/s^2"},
-    {"rad s^-1", "a turn rate", "30 deg/s"}, {"m^2", "an area", "4 mm^2"},
+    {"1", "a pure number", "0.5"},
+    {"m", "a length", "50 mm"},
+    {"rad", "an angle", "60 deg"},
+    {"s^-1", "a frequency", "100 Hz"},
+    {"s", "a time", "5 ms"},
+    {"px", "a number of pixels", "0.5 px"},
+    {"m s^-1", "a speed", "2 m/s"},
+    {"m s^-2", "an acceleration", "9.8 m/s^2"},
+    {"rad s^-1", "a turn rate", "30 deg/s"},
+    {"m^2", "an area", "4 mm^2"},
     {"kg", "a mass", "2 kg"},
 };
 
@@ -34,7 +39,8 @@ const Quantity* known_quantity(const Dimension& dimension) {
 /// "expected a length such as '50 mm'"
 std::string expected(std::string_view si_unit) {
   const UnitLookup& wanted = find_unit(si_unit);
-  const Quantity* known = wanted.unit ? known_quantity(wanted.unit->dimension) : nullptr;
+  const Quantity* known =
+      wanted.unit ? known_quantity(wanted.unit->dimension) : nullptr;
   if (!known) return "expected a number in " + std::string(si_unit);
   return std::string("expected ") + known->noun + " such as '" + known->example + '\'';
 }
@@ -65,8 +71,9 @@ std::variant<double, std::string> parse_quantity(std::string_view text,
     return quoted + " has a unit; write the number alone, in " + std::string(si_unit);
   if (given.unit->dimension != wanted.unit->dimension) {
     const Quantity* is = known_quantity(given.unit->dimension);
-    return quoted + (is ? std::string(" is ") + is->noun
-                        : " is in " + to_string(given.unit->dimension)) +
+    return quoted +
+           (is ? std::string(" is ") + is->noun
+               : " is in " + to_string(given.unit->dimension)) +
            "; " + expected(si_unit);
   }
 
@@ -75,8 +82,9 @@ std::variant<double, std::string> parse_quantity(std::string_view text,
     value = scaled_decimal(text.substr(0, number.length),
                            *given.unit->exponent - *wanted.unit->exponent);
   } else {
-    value = given.unit->scale * (number.value + given.unit->offset) / wanted.unit->scale -
-            wanted.unit->offset;
+    value =
+        given.unit->scale * (number.value + given.unit->offset) / wanted.unit->scale -
+        wanted.unit->offset;
   }
   if (!std::isfinite(value)) return quoted + " is beyond the range of a double";
   return value;

@@ -9,8 +9,8 @@
 namespace delos {
 
 inline constexpr std::pair<const char*, Fusion> kFusionWords[] = {
-    {"stacked", Fusion::stacked},       {"continuous", Fusion::continuous},
-    {"periodic", Fusion::periodic},     {"sequential", Fusion::sequential},
+    {"stacked", Fusion::stacked},   {"continuous", Fusion::continuous},
+    {"periodic", Fusion::periodic}, {"sequential", Fusion::sequential},
     {"artemis", Fusion::artemis},
 };
 
@@ -33,7 +33,8 @@ inline constexpr std::pair<const char*, PoseState> kPoseStateWords[] = {
 /// The word of an enumerator.
 /// @pre the table has it
 template <class Enum, std::size_t N>
-constexpr const char* word_of(const std::pair<const char*, Enum> (&words)[N], Enum value) {
+constexpr const char* word_of(const std::pair<const char*, Enum> (&words)[N],
+                              Enum value) {
   std::size_t i = 0;
   while (words[i].second != value) ++i;
   return words[i].first;

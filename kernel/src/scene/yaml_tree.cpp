@@ -54,8 +54,8 @@ class Builder final : public YAML::EventHandler {
     copy.mark = {0, mark.line + 1, mark.column + 1};
     add(mark, std::move(copy), 0);
   }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&,
+                       YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
     open_.push_back({make(Node::Kind::list, mark), mark, anchor});
   }
   void OnSequenceEnd() override { close(); }
@@ -99,6 +99,9 @@ class Builder final : public YAML::EventHandler {
         throw NotForScenes{mark, "a key must be a word"};
       parent.keys.push_back({std::move(node.text), node.mark});
     } else {
+      // What YAML calls the place of nothing is where the next thing begins.
+      if (parent.kind == Node::Kind::map && node.kind == Node::Kind::null)
+        node.mark = parent.keys.back().mark;
       parent.items.push_back(std::move(node));
     }
   }
@@ -132,7 +135,8 @@ Node* Node::find(std::string_view key) {
 
 std::string member_name(const Node& member, std::size_t index) {
   const Node* name = member.find("name");
-  if (name && name->kind == Node::Kind::scalar && !name->text.empty()) return name->text;
+  if (name && name->kind == Node::Kind::scalar && !name->text.empty())
+    return name->text;
   return std::to_string(index);
 }
 
@@ -140,9 +144,8 @@ std::optional<Node> parse_yaml(std::string_view text, int source, bool located,
                                Findings& findings) {
   const auto fail = [&](const YAML::Mark& mark, const std::string& problem) {
     const bool known = located && !mark.is_null();
-    findings.error(
-        {source, known ? mark.line + 1 : 0, known ? mark.column + 1 : 0},
-        "not a readable YAML text: " + problem);
+    findings.error({source, known ? mark.line + 1 : 0, known ? mark.column + 1 : 0}, {},
+                   "not a readable YAML text: " + problem);
     return std::nullopt;
   };
   std::istringstream stream{std::string(text)};

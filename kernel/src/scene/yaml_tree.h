@@ -37,7 +37,7 @@ struct Node {
 /// @param source  its number in `findings`
 /// @param located false for texts without lines, whose marks stay at 0:0
 /// @returns nullopt, with a finding, where it isn't one YAML document.
-[[nodiscard]] std::optional<Node> parse_yaml(std::string_view text, int source, bool located,
-                                             Findings& findings);
+[[nodiscard]] std::optional<Node> parse_yaml(std::string_view text, int source,
+                                             bool located, Findings& findings);
 
 }  // namespace delos

@@ -22,7 +22,7 @@ struct MotionStep {
 struct ChainMotion {
   CoordinateMatrix q;  ///< d×d, symmetric > 0, (m or rad)²/s^(2k−1)
   friend bool operator==(const ChainMotion& a, const ChainMotion& b) {
-    return a.q == b.q;
+    return same_matrix(a.q, b.q);
   }
 };
 
@@ -31,7 +31,7 @@ struct CustomMotion {
   StateMatrix A;  ///< n×n
   StateMatrix Q;  ///< n×n, symmetric ≥ 0
   friend bool operator==(const CustomMotion& a, const CustomMotion& b) {
-    return a.A == b.A && a.Q == b.Q;
+    return same_matrix(a.A, b.A) && same_matrix(a.Q, b.Q);
   }
 };
 

@@ -30,6 +30,13 @@ using CoordinateMatrix =
 using CoordinateVector =
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxCoordinates, 1>;
 
+/// True where both have the same size and the same numbers. Eigen's own == aborts where
+/// sizes differ.
+template <class Matrix>
+[[nodiscard]] bool same_matrix(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+}
+
 /// Which coordinates of the target's pose are estimated.
 ///
 /// Position is p_WT in metres. Orientation is the small rotation δθ about the *world's*
