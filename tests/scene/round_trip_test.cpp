@@ -210,6 +210,21 @@ TEST(RoundTrip, KeepsTheNameOfAPointFile) {
             scene);
 }
 
+TEST(RoundTrip, KeepsTheScenesOfTheRepository) {
+  PluginRegistry devices({DELOS_PLUGINS});
+  if (!std::filesystem::is_directory(DELOS_SCENES)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(DELOS_SCENES)) {
+    if (entry.path().extension() != ".yaml") continue;
+    Diagnostics diagnostics;
+    const auto scene = load_scene(entry.path(), {}, devices, diagnostics);
+    for (const Diagnostic& d : diagnostics) ADD_FAILURE() << to_string(d);
+    ASSERT_TRUE(scene) << entry.path();
+    EXPECT_EQ(parse_scene(write_scene(*scene), entry.path(), {}, devices, diagnostics),
+              scene)
+        << entry.path();
+  }
+}
+
 TEST(RoundTrip, WritesWhatPeopleWouldWrite) {
   EXPECT_EQ(write_scene(*load(kGood).scene),
             R"(delos: 1
