@@ -18,6 +18,8 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 add_compile_options(-ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow=local)
 # Known false alarms of GCC 12 in inlined library code.
 add_compile_options(-Wno-restrict -Wno-maybe-uninitialized)
+# Designated initialisers leave out what keeps its default: that is their use.
+add_compile_options(-Wno-missing-field-initializers)
 
 if(DELOS_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined

@@ -15,16 +15,20 @@ enum class MetricNeed {
   whole_state,    ///< P∞
   time_constant,  ///< P∞ and the closed loop's slowest pole
 };
-[[nodiscard]] MetricNeed need_of(const Metric& metric, const StateLayout& layout);
+[[nodiscard]] DELOS_API MetricNeed need_of(const Metric& metric,
+                                           const StateLayout& layout);
 
 /// A metric of the pose covariance alone, d×d.
 /// @pre need_of(metric) == MetricNeed::pose_block
-[[nodiscard]] double pose_metric(const Metric& metric, const StateLayout& layout,
-                                 const CoordinateMatrix& P);
+[[nodiscard]] DELOS_API double pose_metric(const Metric& metric,
+                                           const StateLayout& layout,
+                                           const CoordinateMatrix& P);
 
 /// Any metric but coverage of a state. +∞ where it reads a direction that isn't
 /// observed.
-[[nodiscard]] double state_metric(const Metric& metric, const StateLayout& layout,
-                                  const FusedState& state, CovarianceKind kind);
+[[nodiscard]] DELOS_API double state_metric(const Metric& metric,
+                                            const StateLayout& layout,
+                                            const FusedState& state,
+                                            CovarianceKind kind);
 
 }  // namespace delos
