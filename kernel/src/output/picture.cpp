@@ -1,0 +1,74 @@
+#include "output/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/picture_axes.h"
+#include "output/picture_cells.h"
+#include "output/picture_layout.h"
+#include "output/picture_markers.h"
+#include "output/picture_words.h"
+
+namespace delos {
+namespace {
+
+const TextStyle kTitle{.size = 16, .bold = true, .colour = {0.1, 0.1, 0.1}};
+const TextStyle kSmall{.size = 12, .colour = {0.38, 0.38, 0.38}};
+
+/// Swatches for what isn't a colour of the scale. @returns where the legend ends
+double draw_legend(Canvas& canvas, double x, double baseline, const Slice& slice) {
+  constexpr Rgb kFrame{0.33, 0.33, 0.33};
+  const auto reached = static_cast<std::size_t>(
+      std::count(slice.reached.begin(), slice.reached.end(), 1));
+  const std::size_t blind = reached - slice.finite;
+  const std::size_t unreached = slice.value.size() - reached;
+  const auto entry = [&](std::size_t cells, const std::string& what, auto paint) {
+    if (cells == 0) return;
+    const Box swatch{std::round(x), baseline - 11, 22, 13};
+    paint(canvas, swatch);
+    canvas.outline(
+        {swatch.x + 0.5, swatch.y + 0.5, swatch.width - 1, swatch.height - 1}, kFrame);
+    const std::string text = what + " " + percent(cells, slice.value.size());
+    canvas.text(swatch.right() + 7, baseline, 0, text, kSmall);
+    x = swatch.right() + 7 + canvas.text_width(text, kSmall) + 18;
+  };
+  entry(blind, "blind", paint_blind);
+  entry(unreached, "not evaluated", paint_unreached);
+  return x;
+}
+
+}  // namespace
+
+void write_picture(const Field& field, const PictureOptions& options,
+                   std::ostream& out) {
+  const Slice slice = make_slice(field, options);
+  const ColourScale scale = make_scale(slice, options);
+  const PictureLayout layout = lay_out_picture(slice);
+  const DisplayUnit shown =
+      display_unit(std::max(std::abs(scale.low), std::abs(scale.high)), field.unit);
+  const Box& plot = layout.plot;
+
+  Canvas canvas(layout.width, layout.height);
+  constexpr double kMargin = 22;
+  const double room = layout.width - 2 * kMargin;
+  canvas.text(kMargin, 32, 0,
+              canvas.fitted(title(field, slice, shown.name), room, kTitle), kTitle);
+  canvas.text(kMargin, 54, 0, canvas.fitted(subtitle(field), room, kSmall), kSmall);
+
+  paint_cells(canvas, plot, slice, scale);
+  draw_axes(canvas, plot, slice);
+  if (slice.best)
+    draw_colour_bar(canvas, layout.bar, scale, field.metric, field.unit, shown);
+  draw_markers(canvas, plot, slice, scale.flat(), field.unit);
+
+  const double baseline = layout.height - 18;
+  const double legend_end = draw_legend(canvas, kMargin, baseline, slice);
+  const double right = layout.width - kMargin;
+  canvas.text(
+      right, baseline, 1,
+      canvas.fitted(footnote(field, layout.to_scale), right - legend_end, kSmall),
+      kSmall);
+  canvas.write_png(out);
+}
+
+}  // namespace delos

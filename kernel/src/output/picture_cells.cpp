@@ -1,0 +1,78 @@
+#include "output/picture_cells.h"
+
+#include <cmath>
+
+namespace delos {
+namespace {
+
+constexpr Rgb kUnreached{0.95, 0.95, 0.95};
+constexpr Rgb kEdge{0.33, 0.33, 0.33};
+
+/// Diagonal lines, two pixels wide with soft sides, every nine pixels.
+Rgb hatching(int x, int y) {
+  const int phase = (x + y) % 9;
+  const double ink = phase == 0 ? 1 : phase == 1 || phase == 8 ? 0.45 : 0;
+  const double grey = 0.89 - 0.19 * ink;
+  return {grey, grey, grey};
+}
+
+/// The pixel at which the cell after `cells` of `count` begins.
+double edge(double start, double length, int cells, int count) {
+  return std::round(start + length * cells / count);
+}
+
+/// A line wherever finite and other cells meet.
+void outline_regions(Canvas& canvas, const Box& plot, const Slice& slice) {
+  const int columns = slice.axis[0].count, rows = slice.axis[1].count;
+  // Cells of a few pixels would drown in their own outlines.
+  if (plot.width < 4.0 * columns || plot.height < 4.0 * rows) return;
+  const auto finite = [&](int column, int row) {
+    return std::isfinite(slice.value[slice.cell(column, row)]);
+  };
+  const auto x = [&](int c) { return edge(plot.x, plot.width, c, columns); };
+  const auto y = [&](int r) { return edge(plot.y, plot.height, rows - r, rows); };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const bool own = finite(column, row);
+      if (column + 1 < columns && finite(column + 1, row) != own) {
+        const double at = x(column + 1) + 0.5;
+        canvas.line(at, y(row) + 0.5, at, y(row + 1) + 0.5, kEdge);
+      }
+      if (row + 1 < rows && finite(column, row + 1) != own) {
+        const double at = y(row + 1) + 0.5;
+        canvas.line(x(column) + 0.5, at, x(column + 1) + 0.5, at, kEdge);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void paint_cells(Canvas& canvas, const Box& plot, const Slice& slice,
+                 const ColourScale& scale) {
+  const ShadedSlice shaded(slice, scale);
+  const int columns = slice.axis[0].count, rows = slice.axis[1].count;
+  for (int py = 0; py < plot.height; ++py) {
+    const double row = rows * (1 - (py + 0.5) / plot.height) - 0.5;
+    for (int px = 0; px < plot.width; ++px) {
+      const double column = columns * (px + 0.5) / plot.width - 0.5;
+      const Shade shade = shaded.at(column, row);
+      const int x = static_cast<int>(plot.x) + px, y = static_cast<int>(plot.y) + py;
+      if (shade.fill == Fill::colour)
+        canvas.set(x, y, scale.colour(shade.position));
+      else
+        canvas.set(x, y, shade.fill == Fill::blind ? hatching(x, y) : kUnreached);
+    }
+  }
+  outline_regions(canvas, plot, slice);
+}
+
+void paint_blind(Canvas& canvas, const Box& box) {
+  for (int y = static_cast<int>(box.y); y < box.bottom(); ++y)
+    for (int x = static_cast<int>(box.x); x < box.right(); ++x)
+      canvas.set(x, y, hatching(x, y));
+}
+
+void paint_unreached(Canvas& canvas, const Box& box) { canvas.fill(box, kUnreached); }
+
+}  // namespace delos

@@ -1,0 +1,75 @@
+#include "output/picture_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delos/output/format.h"
+#include "output/number_text.h"
+
+namespace delos {
+
+std::string percent(std::size_t part, std::size_t whole) {
+  if (part == whole) return "100 %";
+  const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  if (part > 0 && share < 1) return "< 1 %";
+  if (share > 99) return "> 99 %";
+  return with_decimals(share, 0) + " %";
+}
+
+std::string title(const Field& field, const Slice& slice, const std::string& unit) {
+  std::string text = one_line(field.scene);
+  if (!text.empty()) text += " — ";
+  text += one_line(field.metric);
+  if (!unit.empty()) text += " [" + unit + "]";
+  if (!slice.place.empty()) text += ", " + slice.place;
+  return text;
+}
+
+std::string subtitle(const Field& field) {
+  const FieldStatistics s = summarize(field);
+  std::string text;
+  if (s.finite > 0) {
+    text = "Whole field: median " + format_quantity(s.median, field.unit) +
+           ", 95 % up to " + format_quantity(s.p95, field.unit) + "; ";
+  } else {
+    text = "Whole field: ";
+  }
+  text += percent(s.observable, s.samples) + " of " + grouped(s.samples) +
+          (s.samples == 1 ? " sample observable" : " samples observable");
+  if (field.cancelled) text += "; cancelled after " + grouped(field.evaluated);
+  return text;
+}
+
+std::string footnote(const Field& field, bool to_scale) {
+  std::string text;
+  const auto starts = [&](const char* prefix) {
+    return field.metric.rfind(prefix, 0) == 0;
+  };
+  if (starts("sigma") || starts("eig"))
+    text = "Scatter only: a bias that isn't modelled comes on top.";
+  if (!to_scale)
+    text += (text.empty() ? "" : " ") + std::string{"Axes differ in scale."};
+  return text;
+}
+
+std::string why_empty(const Slice& slice) {
+  const auto reached = static_cast<std::size_t>(
+      std::count(slice.reached.begin(), slice.reached.end(), 1));
+  if (reached == 0) return "Cancelled before this slice was evaluated";
+  if (reached == 1 && slice.value.size() == 1)
+    return "Blind: the only sample has no finite value";
+  return "Blind everywhere: none of " + grouped(reached) +
+         " samples has a finite value";
+}
+
+ExtremeWords extreme_words(const Slice& slice, const std::string& unit) {
+  const double best = slice.value[*slice.best], worst = slice.value[*slice.worst];
+  ExtremeWords words;
+  for (int digits = 3; digits <= 17; ++digits) {
+    words = {format_quantity(best, unit, digits), format_quantity(worst, unit, digits)};
+    if (best == worst || words.best != words.worst) break;
+  }
+  return words;
+}
+
+}  // namespace delos

@@ -1,0 +1,111 @@
+// Source: Kitware, VTK XML file formats,
+//         https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html
+#include "output/vtk.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+
+#include "output/base64.h"
+#include "output/number_text.h"
+
+namespace delos {
+namespace {
+
+/// One DataArray element. `fill` adds `count` numbers of `bytes` bytes each.
+template <typename Fill>
+void data_array(std::ostream& out, const std::string& attributes, std::size_t count,
+                std::size_t bytes, const Fill& fill) {
+  out << "        <DataArray " << attributes << " format=\"binary\">";
+  Base64Stream data(out);
+  data.add_little_endian(std::uint64_t{count * bytes});
+  fill(data);
+  data.finish();
+  out << "</DataArray>\n";
+}
+
+void add_double(Base64Stream& data, double value) {
+  data.add_little_endian(std::bit_cast<std::uint64_t>(value));
+}
+
+std::string three(const double* numbers) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) text += ' ';
+    append_number(text, numbers[i]);
+  }
+  return text;
+}
+
+void open_file(std::ostream& out, const char* type) {
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
+      << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
+}
+
+void point_data(const Field& field, std::ostream& out) {
+  const std::string name = xml_attribute(field.metric + " [" + field.unit + "]");
+  const std::size_t n = field.value.size();
+  out << "      <PointData Scalars=\"" << name << "\">\n";
+  data_array(out, "type=\"Float64\" Name=\"" + name + "\"", n, 8, [&](auto& data) {
+    // ParaView paints NaN in a colour of its own; an infinity would spoil its ranges.
+    for (const double value : field.value)
+      add_double(data, std::isfinite(value) ? value
+                                            : std::numeric_limits<double>::quiet_NaN());
+  });
+  data_array(out, "type=\"UInt8\" Name=\"observable\"", n, 1, [&](auto& data) {
+    for (const unsigned char seen : field.observable) data.add(seen != 0);
+  });
+  if (field.samples.parts.size() > 1) {
+    data_array(out, "type=\"Int32\" Name=\"part\"", n, 4, [&](auto& data) {
+      std::uint32_t number = 0;
+      for (const SamplePart& part : field.samples.parts) {
+        for (std::size_t i = 0; i < part.count; ++i) data.add_little_endian(number);
+        ++number;
+      }
+    });
+  }
+  out << "      </PointData>\n";
+}
+
+}  // namespace
+
+void write_vti(const Field& field, std::ostream& out) {
+  const auto& grid = std::get<GridShape>(field.samples.parts.front().shape);
+  std::string extent;
+  for (const std::int64_t count : grid.counts)
+    extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(count - 1);
+
+  open_file(out, "ImageData");
+  out << "  <ImageData WholeExtent=\"" << extent << "\" Origin=\""
+      << three(grid.origin.data()) << "\" Spacing=\"" << three(grid.step.data())
+      << "\">\n    <Piece Extent=\"" << extent << "\">\n";
+  point_data(field, out);
+  out << "    </Piece>\n  </ImageData>\n</VTKFile>\n";
+}
+
+void write_vtp(const Field& field, std::ostream& out) {
+  const std::vector<Eigen::Vector3d>& points = field.samples.points;
+  const std::size_t n = points.size();
+  open_file(out, "PolyData");
+  out << "  <PolyData>\n    <Piece NumberOfPoints=\"" << n << "\" NumberOfVerts=\"" << n
+      << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+  point_data(field, out);
+  out << "      <Points>\n";
+  data_array(out, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", 3 * n, 8,
+             [&](auto& data) {
+               for (const Eigen::Vector3d& point : points)
+                 for (const double coordinate : point) add_double(data, coordinate);
+             });
+  out << "      </Points>\n      <Verts>\n";
+  data_array(out, "type=\"Int64\" Name=\"connectivity\"", n, 8, [&](auto& data) {
+    for (std::uint64_t i = 0; i < n; ++i) data.add_little_endian(i);
+  });
+  data_array(out, "type=\"Int64\" Name=\"offsets\"", n, 8, [&](auto& data) {
+    for (std::uint64_t i = 1; i <= n; ++i) data.add_little_endian(i);
+  });
+  out << "      </Verts>\n    </Piece>\n  </PolyData>\n</VTKFile>\n";
+}
+
+}  // namespace delos
