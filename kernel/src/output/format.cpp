@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/rounded.h"
 #include "output/number_text.h"
 
 namespace delos {

@@ -9,10 +9,6 @@ namespace delos {
 /// Append the shortest text that reads back as the same double, whatever the locale.
 void append_number(std::string& text, double value);
 
-/// `value` with `digits` significant digits, trailing zeros left out. Decimal notation
-/// between 10⁻⁴ and 10⁶, scientific outside.
-[[nodiscard]] std::string rounded(double value, int digits);
-
 /// `value` with exactly `decimals` digits after the point; never "-0".
 [[nodiscard]] std::string with_decimals(double value, int decimals);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "delos/output/format.h"
+#include "model/rounded.h"
 #include "output/number_text.h"
 
 namespace delos {

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "delos/output/format.h"
+#include "model/rounded.h"
 #include "output/number_text.h"
 
 namespace delos {

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "delos/scene/units.h"
+#include "model/rounded.h"
 #include "scene/numbers.h"
 
 namespace delos {

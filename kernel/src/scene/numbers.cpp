@@ -5,8 +5,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <system_error>
 
 #include "delos/scene/units.h"
@@ -86,12 +84,6 @@ double scaled_decimal(std::string_view number, int exponent) {
   const auto [end, failure] = to_double(text, value);
   if (failure == std::errc::result_out_of_range) return std::nan("");
   return value;
-}
-
-std::string rounded(double value, int digits) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return shortest(std::strtod(text.data(), nullptr));
 }
 
 std::string grouped(long long value) {

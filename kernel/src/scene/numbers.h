@@ -22,9 +22,6 @@ struct NumberText {
 /// @pre scan_number() takes the whole of `number`.
 [[nodiscard]] double scaled_decimal(std::string_view number, int exponent);
 
-/// The value to so many significant digits, for messages.
-[[nodiscard]] std::string rounded(double value, int digits);
-
 /// "1,000,000"
 [[nodiscard]] std::string grouped(long long value);
 

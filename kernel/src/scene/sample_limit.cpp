@@ -5,6 +5,7 @@
 
 #include "delos/sampling/samples.h"
 #include "delos/scene/units.h"
+#include "model/rounded.h"
 #include "scene/numbers.h"
 
 namespace delos {
