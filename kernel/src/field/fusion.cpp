@@ -361,7 +361,8 @@ void FusionSolver::solve_over_cycle(bool with_time_constant, Scratch& scratch,
     out.posterior += state.posterior;
   }
   if (system_.fusion == Fusion::periodic) {
-    out.prior = time_average(system_.motion, intervals_, scratch.states);
+    out.prior = time_average(system_.motion, intervals_, scratch.states,
+                             AverageRule::trapezoid);
     out.posterior = out.prior;
   } else {
     out.prior /= static_cast<double>(scratch.states.size());

@@ -26,7 +26,9 @@ enum class Solver {
 /// Steady state of a whole system at one pose.
 struct FusedState {
   RiccatiStatus status = RiccatiStatus::converged;
-  StateMatrix prior;  ///< n×n; periodic: the time average; sequential: mean over turns
+  StateMatrix
+      prior;  ///< n×n; periodic: the mean over time, by the
+              ///< trapezoid rule, which errs upwards; sequential: mean over turns
   StateMatrix posterior;     ///< n×n; likewise
   StateMatrix unobservable;  ///< n×m, orthonormal columns
   double time_constant =
