@@ -106,7 +106,7 @@ TEST_P(Differential, ThousandSystems) {
     spectral.count(testing::relative(
                        spectral_covariance(form, k, {false, dt}, CovarianceKind::prior),
                        reference),
-                   bound, 0);
+                   2 * unit, none);
     const SteadyState state = solve_doubling(motion, testing::informed(full));
     ASSERT_EQ(state.status, RiccatiStatus::converged) << "case " << i;
     doubling.count(testing::relative(state.prior, reference), 8 * unit, none);
