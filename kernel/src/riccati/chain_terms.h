@@ -68,9 +68,9 @@ inline ChainTerms<2> chain_terms_2(double e, CovarianceKind kind) {
 
 /// The positive root w of w⁴/4 − w² − 2 a w − 2/15 = 0 for a ≥ √(2/15).
 ///
-/// w = 2t + 2/(3t) + O(t⁻³), t = ∛a, is its expansion for large a. With a last term fitted
-/// to the other end it is nowhere more than 0.17 % off; a step of Halley's iteration leaves
-/// 2e-8, the second nothing.
+/// w = 2t + 2/(3t) + O(t⁻³), t = ∛a, is its expansion for large a. With a last term
+/// fitted to the other end it is nowhere more than 0.17 % off; a step of Halley's
+/// iteration leaves 2e-8, the second nothing.
 inline double chain_root_3(double a) {
   const double t = std::cbrt(a), p = 1 / t;
   double w = 2 * t + p * (2.0 / 3 - 0.0085 * (p * p) * (p * p));
