@@ -68,7 +68,7 @@ class Slicot {
                       const Eigen::MatrixXd& S) {
     Eigen::MatrixXd At = A.transpose();
     SlicotResult result{Q};
-    sb02md_("D", "D", "U", "N", "S", &n_, At.data(), &n_, S.data(), &n_,
+    sb02md_("D", "D", "U", "N", "U", &n_, At.data(), &n_, S.data(), &n_,
             result.P.data(), &n_, &result.rcond, alfar_.data(), alfai_.data(),
             s_.data(), &n2_, u_.data(), &n2_, iwork_.data(), work_.data(), &ldwork_,
             bwork_.data(), &result.info);

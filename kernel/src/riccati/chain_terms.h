@@ -68,12 +68,13 @@ inline ChainTerms<2> chain_terms_2(double e, CovarianceKind kind) {
 
 /// The positive root w of w⁴/4 − w² − 2 a w − 2/15 = 0 for a ≥ √(2/15).
 ///
-/// w = 2t + 2/(3t), t = ∛a, is its expansion for large a and 2 % off at the smallest;
-/// three steps of Halley's iteration cube that to below rounding.
+/// w = 2t + 2/(3t) + O(t⁻³), t = ∛a, is its expansion for large a. With a last term
+/// fitted to the other end it is nowhere more than 0.17 % off; a step of Halley's
+/// iteration leaves 2e-8, the second nothing.
 inline double chain_root_3(double a) {
-  const double t = std::cbrt(a);
-  double w = 2 * t + 2 / (3 * t);
-  for (int step = 0; step < 3; ++step) {
+  const double t = std::cbrt(a), p = 1 / t;
+  double w = 2 * t + p * (2.0 / 3 - 0.0085 * (p * p) * (p * p));
+  for (int step = 0; step < 2; ++step) {
     const double w2 = w * w;
     const double value = w * (w * (w2 / 4 - 1) - 2 * a) - 2.0 / 15;
     const double slope = w * (w2 - 2) - 2 * a;

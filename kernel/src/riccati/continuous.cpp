@@ -69,22 +69,31 @@ SteadyState solve_continuous(const MotionStep& continuous,
       information_rate.cols() != n)
     std::abort();
 
-  // Balance, and take the lost directions out.
-  double gamma = mean_pole(continuous, information_rate);
-  std::array<CycleStep, 1> step{euler(continuous, information_rate, gamma)};
-  const StateVector D = balance(step);
-  step[0] = scaled(step[0], D);
-  const StateMatrix lost = lost_directions(step, Stability::continuous);
-  const StateMatrix V = complement(lost);
-  CycleStep left = scaled({continuous, {information_rate, StateMatrix(0, n)}}, D);
-  if (lost.cols() > 0) left = quotient(left, V, V);
+  const StateMatrix &S = information_rate, none(0, n);
+  // Balance, and take the lost directions out. The first guess of the time scale takes
+  // S as diagonal, which is regular where only directions in general position are lost;
+  // once these are known, what is left says better.
+  double gamma = mean_pole(continuous, S.diagonal().asDiagonal());
+  StateVector D;
+  StateMatrix lost, V;
+  CycleStep left;
+  for (int pass = 0; pass < 2; ++pass) {
+    std::array<CycleStep, 1> step{euler(continuous, S, gamma)};
+    D = balance(step);
+    step[0] = scaled(step[0], D);
+    lost = lost_directions(step, Stability::continuous);
+    V = complement(lost);
+    left = scaled({continuous, {S, none}}, D);
+    if (lost.cols() > 0) left = quotient(left, V, V);
+    if (V.cols() == 0) break;
+    gamma = mean_pole(left.motion, left.measurement.information);
+    if (lost.cols() == 0) break;
+  }
 
   SteadyState state;
   FixedPoint point{StateMatrix(0, 0), 0, true};
-  if (V.cols() > 0) {
-    gamma = mean_pole(left.motion, left.measurement.information);
+  if (V.cols() > 0)
     point = fixed_point(cayley(left.motion, left.measurement.information, gamma));
-  }
   const StateMatrix X = D.asDiagonal() * V;
   state.doublings = point.doublings;
   state.status = !point.settled     ? RiccatiStatus::iteration_limit

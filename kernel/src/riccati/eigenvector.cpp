@@ -85,6 +85,14 @@ SteadyState solve_eigenvector(std::span<const CycleStep> steps) {
   const StateMatrix X = D.asDiagonal() * V;
   state.status =
       lost.cols() == 0 ? RiccatiStatus::converged : RiccatiStatus::unobservable;
+  // Eigenvectors of nearly defective Ψ, that is of slow filters, may span nothing
+  // useful.
+  constexpr double kSolved = 1e-4;
+  if (n > 0 && left.size() == 1) {
+    const MotionStep motion = quotient(left[0], V, V).motion;
+    if (!(riccati_residual(motion, together.measurement, P) < kSolved))
+      state.status = RiccatiStatus::iteration_limit;
+  }
   state.unobservable = lost;
   state.prior = symmetric(X * P * X.transpose());
   state.posterior = symmetric(X * update(P, together.measurement) * X.transpose());

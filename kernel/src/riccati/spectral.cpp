@@ -32,24 +32,25 @@ SpectralForm reduce(const CoordinateMatrix& L, const CoordinateMatrix& S) {
   return form;
 }
 
-/// Σ_a f(λ_a) v_a v_aᵀ for every block; P is K×K blocks of d×d.
+/// Σ_a f(λ_a) v_a v_aᵀ for every block; P is K×K blocks of d×d, symmetric like their
+/// blocks.
 template <int kSize, int kOrder>
 StateMatrix covariance(const SpectralForm& form, const Sampling& sampling,
                        CovarianceKind kind) {
   const Square<kSize> V = riccati::observed_directions<kSize>(form);
-  StateMatrix P = StateMatrix::Zero(kSize * kOrder, kSize * kOrder);
-  for (int a = form.unobservable; a < kSize; ++a) {
-    const auto f = chain_values<kOrder, false>(sampling, form.lambda[a], kind);
-    const Square<kSize> outer = V.col(a) * V.col(a).transpose();
-    for (int i = 0, entry = 0; i < kOrder; ++i)
-      for (int j = i; j < kOrder; ++j, ++entry)
-        P.block<kSize, kSize>(i * kSize, j * kSize) += f.value[entry] * outer;
+  riccati::ChainTerms<kOrder> f[kSize] = {};  // lost directions add nothing
+  for (int a = form.unobservable; a < kSize; ++a)
+    f[a] = chain_values<kOrder, false>(sampling, form.lambda[a], kind);
+  StateMatrix P(kSize * kOrder, kSize * kOrder);
+  for (int i = 0, entry = 0; i < kOrder; ++i) {
+    for (int j = i; j < kOrder; ++j, ++entry) {
+      Square<kSize> block = Square<kSize>::Zero();
+      for (int a = 0; a < kSize; ++a)
+        block += (f[a].value[entry] * V.col(a)) * V.col(a).transpose();
+      P.block<kSize, kSize>(i * kSize, j * kSize) = block;
+      if (i != j) P.block<kSize, kSize>(j * kSize, i * kSize) = block;
+    }
   }
-  // Each block is symmetric, and so is the matrix of blocks.
-  for (int i = 1; i < kOrder; ++i)
-    for (int j = 0; j < i; ++j)
-      P.block<kSize, kSize>(i * kSize, j * kSize) =
-          P.block<kSize, kSize>(j * kSize, i * kSize);
   return P;
 }
 

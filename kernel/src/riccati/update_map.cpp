@@ -63,16 +63,6 @@ UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
   return map;
 }
 
-UpdateMap compose(const UpdateMap& first, const UpdateMap& second) {
-  const Eigen::Index n = first.A.rows();
-  const Eigen::PartialPivLU<StateMatrix> W(StateMatrix::Identity(n, n) +
-                                           first.H * second.G);
-  const StateMatrix carried = W.solve(first.A), left = W.solve(first.H);
-  return {second.A * carried,
-          symmetric(first.G + first.A.transpose() * second.G * carried),
-          symmetric(second.H + second.A * left * second.A.transpose())};
-}
-
 StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior) {
   return symmetric(motion.A * posterior * motion.A.transpose() + motion.Q);
 }

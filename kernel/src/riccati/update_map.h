@@ -10,13 +10,17 @@
 //         doi:10.1109/TAC.2020.2976316, in terms of S = Hᵀ R⁻¹ H.
 #pragma once
 
+#include <Eigen/LU>
+
 #include "delos/riccati/riccati.h"
 
 namespace delos::riccati {
 
-struct UpdateMap {
-  StateMatrix A, G, H;
+template <class Matrix>
+struct BasicUpdateMap {
+  Matrix A, G, H;
 };
+using UpdateMap = BasicUpdateMap<StateMatrix>;
 
 /// Motion, then measurement.
 /// @param[out] regular false where an exact row sees a direction that this step's noise
@@ -26,7 +30,21 @@ UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
 
 /// `first`, then `second`. With W = I + H₁ G₂:
 ///     A = A₂ W⁻¹ A₁,  G = G₁ + A₁ᵀ G₂ W⁻¹ A₁,  H = H₂ + A₂ W⁻¹ H₁ A₂ᵀ
-UpdateMap compose(const UpdateMap& first, const UpdateMap& second);
+template <class Matrix>
+BasicUpdateMap<Matrix> compose(const BasicUpdateMap<Matrix>& first,
+                               const BasicUpdateMap<Matrix>& second) {
+  const Eigen::Index n = first.A.rows();
+  const Eigen::PartialPivLU<Matrix> W(Matrix::Identity(n, n) + first.H * second.G);
+  const Matrix carried = W.solve(first.A), left = W.solve(first.H);
+  const Matrix seen = second.G * carried, pushed = second.A * left;
+  BasicUpdateMap<Matrix> both;
+  both.A.noalias() = second.A * carried;
+  both.G.noalias() = first.A.transpose() * seen;
+  both.H.noalias() = pushed * second.A.transpose();
+  both.G = (first.G + (both.G + both.G.transpose()) / 2).eval();
+  both.H = (second.H + (both.H + both.H.transpose()) / 2).eval();
+  return both;
+}
 
 /// P = A Π Aᵀ + Q.
 StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior);
