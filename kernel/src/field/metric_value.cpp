@@ -1,6 +1,7 @@
 #include "field/metric_value.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,6 +18,26 @@ int block_start(MetricKind kind, const StateLayout& layout) {
   return kind == MetricKind::sigma_orientation ? layout.positions() : 0;
 }
 
+/// Largest eigenvalue of a symmetric 3×3 matrix ≥ 0, from its characteristic
+/// polynomial:
+///
+///     λmax = m + 2 √p cos(φ/3),  m = tr P/3,  p = ‖P − m I‖²/6,  cos φ = det(P − m
+///     I)/(2 p^(3/2))
+///
+/// A sum of two terms ≥ 0. φ loses digits as cos φ → −1, where the two largest
+/// eigenvalues meet: Jacobi rotations take over there. Source: Smith (1961), Commun.
+/// ACM 4(4), 168, doi:10.1145/355578.366316.
+double largest_eigenvalue(const Eigen::Matrix3d& P) {
+  const double m = P.trace() / 3;
+  Eigen::Matrix3d rest = P;
+  rest.diagonal().array() -= m;
+  const double p = rest.squaredNorm() / 6;
+  if (!(p > 0)) return m;
+  const double cosine = rest.determinant() / (2 * p * std::sqrt(p));
+  if (cosine < -0.9) return riccati::jacobi_eigen<3>(P).lambda(2);
+  return m + 2 * std::sqrt(p) * std::cos(std::acos(std::min(cosine, 1.0)) / 3);
+}
+
 double block_metric(MetricKind kind, const Eigen::Matrix3d& P) {
   switch (kind) {
     case MetricKind::sigma_position:
@@ -30,7 +51,7 @@ double block_metric(MetricKind kind, const Eigen::Matrix3d& P) {
       // Σ λᵢ² is the squared Frobenius norm.
       return std::sqrt(P.norm());
     case MetricKind::eigmax:
-      return std::sqrt(riccati::jacobi_eigen<3>(P).lambda(2));
+      return std::sqrt(largest_eigenvalue(P));
     default:
       return kInfinity;
   }
