@@ -32,27 +32,46 @@ class BlockEvaluator {
         need_(need_of(metric, system.motion.layout)),
         scratch_(solver.make_scratch()) {}
 
-  PoseValue operator()(const LayerBlock& block, int lane, const TargetPose& pose) {
-    const StateLayout& layout = system_.motion.layout;
-    if (need_ <= MetricNeed::pose_block && solver_.spectral(block, lane)) {
-      const SpectralForm form = solver_.form(block, lane);
-      const bool observable = form.unobservable == 0;
-      if (need_ == MetricNeed::nothing) return {coverage(block, lane), observable};
-      if (observable) {
-        const CoordinateMatrix P = spectral_pose_covariance(
-            form, layout.order, solver_.sampling(), system_.covariance);
-        return {pose_metric(metric_, layout, P), true};
-      }
+  /// Values of all poses of a block.
+  void operator()(const LayerBlock& block, const TargetPose* poses, PoseValue* values) {
+    if (solver_.solver() == Solver::spectral) {
+      solver_.reduce(block, {forms_.data(), static_cast<std::size_t>(block.lanes)});
     }
-    solver_.solve(block, lane, pose, need_ == MetricNeed::time_constant, scratch_,
-                  state_);
-    const bool observable = state_.status == RiccatiStatus::converged;
-    if (need_ == MetricNeed::nothing) return {coverage(block, lane), observable};
-    const double value = state_metric(metric_, layout, state_, system_.covariance);
-    return {std::isfinite(value) ? value : kInfinity, observable};
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      values[lane] = solver_.spectral(block, lane)
+                         ? reduced_value(forms_[static_cast<std::size_t>(lane)])
+                         : general_value(block, lane, poses[lane]);
+      if (need_ == MetricNeed::nothing) values[lane].value = coverage(block, lane);
+    }
   }
 
  private:
+  PoseValue reduced_value(const SpectralForm& form) {
+    const StateLayout& layout = system_.motion.layout;
+    const bool observable = form.unobservable == 0;
+    if (need_ == MetricNeed::nothing) return {0, observable};
+    if (need_ == MetricNeed::pose_block && observable) {
+      const CoordinateMatrix P = spectral_pose_covariance(
+          form, layout.order, solver_.sampling(), system_.covariance);
+      return {pose_metric(metric_, layout, P), true};
+    }
+    solver_.solve(form, need_ == MetricNeed::time_constant, state_);
+    return value_of_state();
+  }
+
+  PoseValue general_value(const LayerBlock& block, int lane, const TargetPose& pose) {
+    solver_.solve(block, lane, pose, need_ == MetricNeed::time_constant, scratch_,
+                  state_);
+    return value_of_state();
+  }
+
+  PoseValue value_of_state() const {
+    const double value =
+        state_metric(metric_, system_.motion.layout, state_, system_.covariance);
+    return {std::isfinite(value) ? value : kInfinity,
+            state_.status == RiccatiStatus::converged};
+  }
+
   static double coverage(const LayerBlock& block, int lane) {
     return static_cast<double>(
         std::count_if(block.seen.begin(), block.seen.end(),
@@ -64,6 +83,7 @@ class BlockEvaluator {
   const Metric& metric_;
   MetricNeed need_;
   FusionSolver::Scratch scratch_;
+  std::vector<SpectralForm> forms_ = std::vector<SpectralForm>(kLanes);
   FusedState state_;
 };
 
@@ -133,10 +153,8 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
       if (options.cancel && options.cancel->load(std::memory_order_relaxed)) continue;
       try {
         const LayerBlock& block = layers.block(b, scratch);
-        for (int lane = 0; lane < block.lanes; ++lane) {
-          const std::size_t pose = b * kLanes + static_cast<std::size_t>(lane);
-          values[pose] = evaluate(block, lane, layers.poses()[pose]);
-        }
+        const std::size_t first = b * kLanes;
+        evaluate(block, layers.poses().data() + first, values.data() + first);
         done[b] = 1;
       } catch (...) {
 #pragma omp critical

@@ -167,15 +167,9 @@ double FusionSolver::residual(const LayerBlock& block, int lane,
   return riccati_residual(step_, m, state.prior);
 }
 
-SpectralForm FusionSolver::form(const LayerBlock& block, int lane) const {
-  CoordinateMatrix S(columns_, columns_);
-  for (int i = 0; i < columns_; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      S(i, j) = S(j, i) =
-          block.total[static_cast<std::size_t>(packed_index(i, j) * kLanes + lane)];
-    }
-  }
-  return spectral_form(L_, S);
+void FusionSolver::reduce(const LayerBlock& block,
+                          std::span<SpectralForm> forms) const {
+  spectral_forms(L_, block.total.data(), kLanes, forms);
 }
 
 void FusionSolver::solve(const SpectralForm& form, bool with_time_constant,
@@ -209,7 +203,9 @@ void FusionSolver::solve(const LayerBlock& block, int lane, const TargetPose& po
                          bool with_time_constant, Scratch& scratch,
                          FusedState& out) const {
   if (spectral(block, lane)) {
-    solve(form(block, lane), with_time_constant, out);
+    SpectralForm form;
+    spectral_forms(L_, block.total.data() + lane, kLanes, {&form, 1});
+    solve(form, with_time_constant, out);
     return;
   }
   // Rows without noise have no place in a layer: read them again, for the devices that

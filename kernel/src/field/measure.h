@@ -22,7 +22,9 @@ struct MeasureScratch {
 /// Turn three columns that are a gradient in S into one in W: H_W = H_S R_SW.
 inline void turn(const Observation& o, int from, const Eigen::Matrix3d& R_SW, int to,
                  StateRows& rows) {
-  rows.middleCols<3>(to).noalias() = o.H.middleCols<3>(from) * R_SW;
+  for (Eigen::Index i = 0; i < o.H.rows(); ++i) {
+    rows.block<1, 3>(i, to).noalias() = o.H.block<1, 3>(i, from) * R_SW;
+  }
 }
 
 /// Visit every observation that a device makes of a target at X_WT: `visit(rows, R)`
@@ -46,11 +48,11 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       for (const Eigen::Vector3d& marker : system.markers) {
         const Eigen::Vector3d arm = X_WT.R * marker;  // in W, from the target's origin
         target.p_ST.noalias() = R_SW * (X_WT.p + arm - placed.X_WS.p);
-        target.R_ST.noalias() = R_SW * X_WT.R;
         if (!placed.device->observe(target, o)) continue;
         seen = true;
-        scratch.rows.setZero(o.H.rows(), columns);
+        scratch.rows.resize(o.H.rows(), columns);
         if (position) turn(o, 0, R_SW, 0, scratch.rows);
+        if (columns > d) scratch.rows.rightCols(columns - d).setZero();
         if (orientation) {
           // A small turn δθ about the world's axes moves the point by δθ × arm.
           const Eigen::Matrix3d lever = -R_SW * cross_matrix(arm);

@@ -34,7 +34,7 @@ double largest_eigenvalue(const Eigen::Matrix3d& P) {
   const double p = rest.squaredNorm() / 6;
   if (!(p > 0)) return m;
   const double cosine = rest.determinant() / (2 * p * std::sqrt(p));
-  if (cosine < -0.9) return riccati::jacobi_eigen<3>(P).lambda(2);
+  if (cosine < -0.999999) return riccati::jacobi_eigen<3>(P).lambda(2);
   return m + 2 * std::sqrt(p) * std::cos(std::acos(std::min(cosine, 1.0)) / 3);
 }
 

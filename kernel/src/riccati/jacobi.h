@@ -98,25 +98,32 @@ template <int p, int q, int kSize>
   return true;
 }
 
+/// Rotate M to diagonal form and the columns of U along with it.
 /// @param M symmetric; the upper triangle is read. Entries between 1e-150 and 1e150 in
 ///          magnitude or zero, for their squares are formed.
 template <int kSize>
-JacobiResult<kSize> jacobi_eigen(Eigen::Matrix<double, kSize, kSize> M) {
+void jacobi_diagonalize(Eigen::Matrix<double, kSize, kSize>& M,
+                        Eigen::Matrix<double, kSize, kSize>& U) {
   constexpr double kEps = std::numeric_limits<double>::epsilon();
   constexpr int kMaxSweeps = 30;  // six is the most ever seen; 30 stops NaNs
   constexpr static auto kOrder = rotation_order<kSize>();
-  JacobiResult<kSize> r;
-  r.U.setIdentity();
   // Far below any eigenvalue that is used.
   const double floor = kEps * kEps * M.diagonal().cwiseAbs().maxCoeff();
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     const int rotations = [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return (0 + ... +
-              jacobi_rotate<kOrder[i].first, kOrder[i].second>(M, r.U, floor));
+      return (0 + ... + jacobi_rotate<kOrder[i].first, kOrder[i].second>(M, U, floor));
     }
     (std::make_index_sequence<kOrder.size()>{});
     if (rotations == 0) break;
   }
+}
+
+/// M = U diag(λ) Uᵀ; M as for jacobi_diagonalize().
+template <int kSize>
+JacobiResult<kSize> jacobi_eigen(Eigen::Matrix<double, kSize, kSize> M) {
+  JacobiResult<kSize> r;
+  r.U.setIdentity();
+  jacobi_diagonalize<kSize>(M, r.U);
   r.lambda = M.diagonal();
   sort_ascending(r);
   return r;

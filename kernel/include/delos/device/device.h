@@ -23,7 +23,7 @@ enum class Span {
 struct Target {
   /// Where the observed point or the target is, metres, in the device's frame S.
   Eigen::Vector3d p_ST = Eigen::Vector3d::Zero();
-  /// The target's orientation in S.
+  /// The target's orientation in S. Identity for Span::point, which sees a bare point.
   Eigen::Matrix3d R_ST = Eigen::Matrix3d::Identity();
   /// [v, ω] in S, m/s and rad/s. Fields are linearised about rest: zero there.
   Eigen::Matrix<double, 6, 1> velocity = Eigen::Matrix<double, 6, 1>::Zero();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,8 +64,9 @@ class DELOS_API FusionSolver {
   /// True where lane() of the block can be reduced to scalar chains.
   [[nodiscard]] bool spectral(const LayerBlock& block, int lane) const;
 
-  /// Reduced form of the lane. @pre spectral(block, lane)
-  [[nodiscard]] SpectralForm form(const LayerBlock& block, int lane) const;
+  /// Reduced forms of all lanes, good for those that are spectral(block, lane).
+  /// @pre solver() == Solver::spectral, forms.size() == block.lanes
+  void reduce(const LayerBlock& block, std::span<SpectralForm> forms) const;
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
   /// L with q = L Lᵀ, d×d. @pre the motion is a chain
   [[nodiscard]] const CoordinateMatrix& noise_factor() const { return L_; }

@@ -23,12 +23,13 @@ enum class CovarianceKind {
 /// Steady-state covariance of the chain of one coordinate, driven by unit white noise.
 ///
 /// The chain of order k with q = 1, measured every dt with variance 1/λ, or, for
-/// `continuous_chain`, measured continuously with information rate λ. Computed from sums of
-/// positive terms only, so that no digits are lost at any ratio ρ = dt^(2k−1) λ of process
-/// to measurement noise.
+/// `continuous_chain`, measured continuously with information rate λ. Computed from
+/// sums of positive terms only, so that no digits are lost at any ratio ρ = dt^(2k−1) λ
+/// of process to measurement noise.
 struct ChainSolution {
   ChainMatrix covariance;  ///< k×k: f_ij(λ)
-  ChainMatrix derivative;  ///< k×k: f_ij′(λ), filled only by the *_with_derivative calls
+  ChainMatrix
+      derivative;  ///< k×k: f_ij′(λ), filled only by the *_with_derivative calls
 };
 
 /// @param order  k, 1 to 3
@@ -37,17 +38,19 @@ struct ChainSolution {
 /// @returns the covariance; `derivative` is left empty (0×0).
 /// @cost  a few square roots; k = 3 adds about five Newton steps. No heap.
 /// Source: k = 1, 2: Kalata (1984), doi:10.1109/TAES.1984.310438, rewritten without
-///         cancellation; k = 3: spectral factorisation in the bilinear variable, chain.cpp.
-[[nodiscard]] DELOS_API ChainSolution discrete_chain(int order, double dt, double lambda,
+///         cancellation; k = 3: spectral factorisation in the bilinear variable,
+///         chain.cpp.
+[[nodiscard]] DELOS_API ChainSolution discrete_chain(int order, double dt,
+                                                     double lambda,
                                                      CovarianceKind kind);
 
 /// Like discrete_chain(), with f′(λ).
-[[nodiscard]] DELOS_API ChainSolution discrete_chain_with_derivative(int order, double dt,
-                                                                     double lambda,
-                                                                     CovarianceKind kind);
+[[nodiscard]] DELOS_API ChainSolution discrete_chain_with_derivative(
+    int order, double dt, double lambda, CovarianceKind kind);
 
 /// The variance f_00 alone of discrete_chain(): what position metrics need.
-[[nodiscard]] DELOS_API double discrete_chain_variance(int order, double dt, double lambda,
+[[nodiscard]] DELOS_API double discrete_chain_variance(int order, double dt,
+                                                       double lambda,
                                                        CovarianceKind kind);
 
 /// Steady state under continuous measurement: f_00 = λ^(−1/2), √2 λ^(−3/4), 2 λ^(−5/6).

@@ -1,6 +1,9 @@
 // The exact spectral reduction of pose-level measurements.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "delos/model/state.h"
 #include "delos/riccati/chain.h"
 
@@ -12,7 +15,8 @@ struct Sampling {
   double dt = 0;            ///< update period, seconds
 };
 
-/// M = LᵀSL = U Λ Uᵀ: the measurement seen in coordinates of unit process noise, q = L Lᵀ.
+/// M = LᵀSL = U Λ Uᵀ: the measurement seen in coordinates of unit process noise, q = L
+/// Lᵀ.
 struct SpectralForm {
   CoordinateVector lambda;  ///< Λ, d×1, ascending; 0 where a direction is lost
   CoordinateMatrix LU;      ///< L·U, d×d: the directions in pose coordinates
@@ -21,13 +25,22 @@ struct SpectralForm {
 
 /// Reduce the information of one update (or its rate) to d scalar chains.
 ///
-/// Eigenvalues below 16·d·ε·λmax are set to zero: below it, they are the rounding of the sum
-/// that formed S, not information.
+/// Eigenvalues below 16·d·ε·λmax are set to zero: below it, they are the rounding of
+/// the sum that formed S, not information.
 /// @param L d×d, lower Cholesky factor of q
 /// @param S d×d, symmetric ≥ 0
 /// @cost Jacobi rotations; no heap.
 [[nodiscard]] DELOS_API SpectralForm spectral_form(const CoordinateMatrix& L,
                                                    const CoordinateMatrix& S);
+
+/// spectral_form() of many poses at once, each started from the directions of the one
+/// before: neighbours have nearly the same, and few rotations are left. Up to rounding
+/// the same forms; the bytes depend on the poses before, from the first of the call on.
+/// @param packed S by its lower triangle, row after row: element e of pose l stands at
+///        [e·stride + l]
+/// @pre forms.size() ≤ stride
+DELOS_API void spectral_forms(const CoordinateMatrix& L, const double* packed,
+                              std::size_t stride, std::span<SpectralForm> forms);
 
 /// The careful way to the same: one-sided, from the stacked whitened rows R^(−1/2)·H
 /// instead of their product, so that λmin keeps a relative error of about ε·√cond(S).
@@ -38,18 +51,18 @@ struct SpectralForm {
 
 /// P∞(block i,j) = L U diag(f_ij(λ)) Uᵀ Lᵀ, n×n with n = d·k.
 ///
-/// Unobservable directions contribute nothing, and the rest is projected orthogonally to
-/// them: finite entries are right for every combination of states that avoids them.
+/// Unobservable directions contribute nothing, and the rest is projected orthogonally
+/// to them: finite entries are right for every combination of states that avoids them.
 /// Source: theory in docs/theory.md, section "Exact spectral reduction".
-[[nodiscard]] DELOS_API StateMatrix spectral_covariance(const SpectralForm& form, int order,
+[[nodiscard]] DELOS_API StateMatrix spectral_covariance(const SpectralForm& form,
+                                                        int order,
                                                         const Sampling& sampling,
                                                         CovarianceKind kind);
 
-/// The pose block (0, 0) of spectral_covariance() alone, d×d: what position metrics need.
-[[nodiscard]] DELOS_API CoordinateMatrix spectral_pose_covariance(const SpectralForm& form,
-                                                                  int order,
-                                                                  const Sampling& sampling,
-                                                                  CovarianceKind kind);
+/// The pose block (0, 0) of spectral_covariance() alone, d×d: what position metrics
+/// need.
+[[nodiscard]] DELOS_API CoordinateMatrix spectral_pose_covariance(
+    const SpectralForm& form, int order, const Sampling& sampling, CovarianceKind kind);
 
 /// ∂J/∂S for an objective with ∂J/∂P∞ = Y, by Daleckii–Krein run backwards:
 ///
