@@ -65,7 +65,8 @@ TEST(WriteField, SaysWhichFormatFits) {
   expect_says(write_field(scattered({1}), folder / "f.png"),
               {"scattered", ".vtp", ".csv"});
   Field two = small_volume();
-  add_part(two, two.samples.parts.front(), two.samples.points, two.value);
+  const Field one = small_volume();
+  add_part(two, one.samples.parts.front(), one.samples.points, one.value);
   expect_says(write_field(two, folder / "f.vti"),
               {"one volume", "2 sample sets", ".vtp"});
   EXPECT_EQ(write_field(two, folder / "f.png"), "");

@@ -23,7 +23,7 @@ struct PictureOptions {
 ///   .vti  regular grid for ParaView; needs exactly one volume; a blind value is NaN
 ///   .vtp  points for ParaView; any samples; likewise
 ///   .csv  x,y,z,value,observable with a header; a blind value is empty
-///   .json field_json(), then "columns" and "values": [[x, y, z, value, observable], …];
+///   .json field_json() with "columns" and "values": [[x, y, z, value, observable], …];
 ///         a blind value is null
 ///   .png  a slice with a colour bar; needs a volume or a plane
 ///
