@@ -94,7 +94,8 @@ std::vector<T> array(const std::vector<Element>& elements, const std::string& na
     std::memcpy(&length, bytes.data(), sizeof length);
     EXPECT_EQ(length, bytes.size() - sizeof length);
     std::vector<T> numbers(length / sizeof(T));
-    std::memcpy(numbers.data(), bytes.data() + sizeof length, length);
+    // Copying nothing to nowhere is undefined, even so.
+    if (length > 0) std::memcpy(numbers.data(), bytes.data() + sizeof length, length);
     return numbers;
   }
   throw std::runtime_error("no array " + name);
