@@ -51,9 +51,9 @@ std::string missing_folder(const fs::path& file) {
 std::string commit_file(const fs::path& file,
                         const std::function<void(std::ostream&)>& fill) {
   const fs::path target = link_target(file);
-  const fs::path temporary =
-      target.parent_path() /
-      ("." + target.filename().string() + ".tmp-" + std::to_string(::getpid()));
+  fs::path temporary = target.parent_path() / ".";
+  temporary += target.filename();
+  temporary += ".tmp-" + std::to_string(::getpid());
 
   std::error_code ignored;
   errno = 0;

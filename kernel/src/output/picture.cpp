@@ -12,6 +12,7 @@
 namespace delos {
 namespace {
 
+constexpr double kMargin = 22;
 const TextStyle kTitle{.size = 16, .bold = true, .colour = {0.1, 0.1, 0.1}};
 const TextStyle kSmall{.size = 12, .colour = {0.38, 0.38, 0.38}};
 
@@ -37,33 +38,50 @@ double draw_legend(Canvas& canvas, double x, double baseline, const Slice& slice
   return x;
 }
 
+/// The scene's name gives way where the title is too long: the rest says what is shown.
+void draw_title(Canvas& canvas, const Title& title) {
+  const double room = canvas.width() - 2 * kMargin;
+  std::string text = title.rest;
+  if (!title.scene.empty()) {
+    text = " — " + title.rest;
+    const double left = std::max(0.0, room - canvas.text_width(text, kTitle));
+    text = canvas.fitted(title.scene, left, kTitle) + text;
+  }
+  canvas.text(kMargin, 32, 0, canvas.fitted(text, room, kTitle), kTitle);
+}
+
 }  // namespace
 
 void write_picture(const Field& field, const PictureOptions& options,
                    std::ostream& out) {
   const Slice slice = make_slice(field, options);
   const ColourScale scale = make_scale(slice, options);
-  const PictureLayout layout = lay_out_picture(slice);
   const DisplayUnit shown =
       display_unit(std::max(std::abs(scale.low), std::abs(scale.high)), field.unit);
-  const Box& plot = layout.plot;
+
+  // The texts say how much room they need, and only then the image has a size.
+  Canvas ruler(1, 1);
+  const Box sketch = lay_out_picture(slice, {0, 0}).plot;
+  const ScaleText across = axis_text(ruler, slice, 0, sketch.width);
+  const ScaleText up = axis_text(ruler, slice, 1, sketch.height);
+  const ScaleText values =
+      bar_text(scale, field.metric, field.unit, shown, sketch.height);
+  const PictureLayout layout = lay_out_picture(
+      slice, {widest(ruler, up) + 38, slice.best ? widest(ruler, values) + 34 : 0});
 
   Canvas canvas(layout.width, layout.height);
-  constexpr double kMargin = 22;
-  const double room = layout.width - 2 * kMargin;
-  canvas.text(kMargin, 32, 0,
-              canvas.fitted(title(field, slice, shown.name), room, kTitle), kTitle);
-  canvas.text(kMargin, 54, 0, canvas.fitted(subtitle(field), room, kSmall), kSmall);
+  const double right = layout.width - kMargin;
+  draw_title(canvas, title_of(field, slice, shown.name));
+  canvas.text(kMargin, 54, 0, canvas.fitted(subtitle(field), right - kMargin, kSmall),
+              kSmall);
 
-  paint_cells(canvas, plot, slice, scale);
-  draw_axes(canvas, plot, slice);
-  if (slice.best)
-    draw_colour_bar(canvas, layout.bar, scale, field.metric, field.unit, shown);
-  draw_markers(canvas, plot, slice, scale.flat(), field.unit);
+  paint_cells(canvas, layout.plot, slice, scale);
+  draw_axes(canvas, layout.plot, slice, across, up);
+  if (slice.best) draw_colour_bar(canvas, layout.bar, scale, values);
+  draw_markers(canvas, layout.plot, slice, scale.flat(), field.unit);
 
   const double baseline = layout.height - 18;
   const double legend_end = draw_legend(canvas, kMargin, baseline, slice);
-  const double right = layout.width - kMargin;
   canvas.text(
       right, baseline, 1,
       canvas.fitted(footnote(field, layout.to_scale), right - legend_end, kSmall),

@@ -1,5 +1,6 @@
 #include "output/picture_cells.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace delos {
@@ -16,11 +17,6 @@ Rgb hatching(int x, int y) {
   return {grey, grey, grey};
 }
 
-/// The pixel at which the cell after `cells` of `count` begins.
-double edge(double start, double length, int cells, int count) {
-  return std::round(start + length * cells / count);
-}
-
 /// A line wherever finite and other cells meet.
 void outline_regions(Canvas& canvas, const Box& plot, const Slice& slice) {
   const int columns = slice.axis[0].count, rows = slice.axis[1].count;
@@ -29,8 +25,15 @@ void outline_regions(Canvas& canvas, const Box& plot, const Slice& slice) {
   const auto finite = [&](int column, int row) {
     return std::isfinite(slice.value[slice.cell(column, row)]);
   };
-  const auto x = [&](int c) { return edge(plot.x, plot.width, c, columns); };
-  const auto y = [&](int r) { return edge(plot.y, plot.height, rows - r, rows); };
+  // The pixel at which a cell begins; cells at the border are cut by the plot.
+  const auto x = [&](int column) {
+    const double at = slice.axis[0].fraction_of(column - 0.5);
+    return std::round(plot.x + plot.width * std::clamp(at, 0.0, 1.0));
+  };
+  const auto y = [&](int row) {
+    const double at = slice.axis[1].fraction_of(row - 0.5);
+    return std::round(plot.bottom() - plot.height * std::clamp(at, 0.0, 1.0));
+  };
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const bool own = finite(column, row);
@@ -51,11 +54,10 @@ void outline_regions(Canvas& canvas, const Box& plot, const Slice& slice) {
 void paint_cells(Canvas& canvas, const Box& plot, const Slice& slice,
                  const ColourScale& scale) {
   const ShadedSlice shaded(slice, scale);
-  const int columns = slice.axis[0].count, rows = slice.axis[1].count;
   for (int py = 0; py < plot.height; ++py) {
-    const double row = rows * (1 - (py + 0.5) / plot.height) - 0.5;
+    const double row = slice.axis[1].sample_at(1 - (py + 0.5) / plot.height);
     for (int px = 0; px < plot.width; ++px) {
-      const double column = columns * (px + 0.5) / plot.width - 0.5;
+      const double column = slice.axis[0].sample_at((px + 0.5) / plot.width);
       const Shade shade = shaded.at(column, row);
       const int x = static_cast<int>(plot.x) + px, y = static_cast<int>(plot.y) + py;
       if (shade.fill == Fill::colour)

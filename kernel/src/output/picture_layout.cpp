@@ -5,24 +5,30 @@
 
 namespace delos {
 
-PictureLayout lay_out_picture(const Slice& slice) {
-  constexpr int kLeft = 84, kTop = 78, kRight = 142, kBottom = 92;
+PictureLayout lay_out_picture(const Slice& slice, const SideText& text) {
+  constexpr int kTop = 78, kBottom = 92, kSide = 22, kBarGap = 26, kBarWidth = 16;
   constexpr double kWidest = 680, kHighest = 530, kLeast = 170;
   constexpr int kTitleRoom = 680;  // narrower images would cut most titles
 
-  const double across = slice.axis[0].span(), up = slice.axis[1].span();
-  const double scale = std::min(kWidest / across, kHighest / up);
-  const double width = std::round(std::max(across * scale, kLeast));
-  const double height = std::round(std::max(up * scale, kLeast));
+  const SliceAxis& across = slice.axis[0];
+  const SliceAxis& up = slice.axis[1];
+  const double scale = std::min(kWidest / across.span(), kHighest / up.span());
+  const double width = std::round(std::max(across.span() * scale, kLeast));
+  const double height = std::round(std::max(up.span() * scale, kLeast));
+
+  const int left = kSide + static_cast<int>(std::ceil(text.left));
+  int right = kSide;
+  if (text.right > 0) right += kBarGap + kBarWidth + static_cast<int>(text.right);
+  const int needed = left + static_cast<int>(width) + right;
 
   PictureLayout layout;
-  const int needed = kLeft + static_cast<int>(width) + kRight;
   layout.width = std::max(needed, kTitleRoom);
   layout.height = kTop + static_cast<int>(height) + kBottom;
-  const double x = kLeft + (layout.width - needed) / 2;
+  const double x = left + (layout.width - needed) / 2;
   layout.plot = {x, kTop, width, height};
-  layout.bar = {layout.plot.right() + 26, kTop, 16, height};
-  layout.to_scale = across * scale >= kLeast && up * scale >= kLeast;
+  layout.bar = {layout.plot.right() + kBarGap, kTop, kBarWidth, height};
+  layout.to_scale = across.count == 1 || up.count == 1 ||
+                    std::min(across.span(), up.span()) * scale >= kLeast;
   return layout;
 }
 

@@ -10,11 +10,17 @@ namespace delos {
 struct PictureLayout {
   int width, height;  ///< of the image
   Box plot, bar;
-  bool to_scale;  ///< one scale on both axes
+  bool to_scale;  ///< the same scale on both axes, or one of them is a single sample
+};
+
+/// Room for text beside the plot, pixels.
+struct SideText {
+  double left;   ///< the vertical axis: numbers and name
+  double right;  ///< the colour bar's; 0: there is no bar
 };
 
 /// A plot with the slice's proportions in an image of at most about 900×700; a slice
 /// that is very long and thin is stretched until its marks can be read.
-[[nodiscard]] PictureLayout lay_out_picture(const Slice& slice);
+[[nodiscard]] PictureLayout lay_out_picture(const Slice& slice, const SideText& text);
 
 }  // namespace delos

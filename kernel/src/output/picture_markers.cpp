@@ -22,8 +22,8 @@ struct Spot {
 Spot spot_of(const Box& plot, const Slice& slice, std::size_t cell) {
   const auto column = static_cast<double>(cell % slice.axis[0].count);
   const auto row = static_cast<double>(cell / slice.axis[0].count);
-  return {plot.x + plot.width * (column + 0.5) / slice.axis[0].count,
-          plot.bottom() - plot.height * (row + 0.5) / slice.axis[1].count};
+  return {plot.x + plot.width * slice.axis[0].fraction_of(column),
+          plot.bottom() - plot.height * slice.axis[1].fraction_of(row)};
 }
 
 Box around(const Spot& spot) {
@@ -91,9 +91,9 @@ void draw_markers(Canvas& canvas, const Box& plot, const Slice& slice, bool all_
   }
   const ExtremeWords words = extreme_words(slice, unit);
   if (all_equal) {
+    const bool everywhere = slice.finite == slice.value.size();
     draw_sentence(canvas, plot,
-                  (slice.finite == 1 ? "one finite value: " : "the same everywhere: ") +
-                      words.best);
+                  words.best + (everywhere ? " everywhere" : " wherever it is finite"));
     return;
   }
   const Spot best = spot_of(plot, slice, *slice.best);

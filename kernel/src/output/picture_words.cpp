@@ -16,13 +16,11 @@ std::string percent(std::size_t part, std::size_t whole) {
   return with_decimals(share, 0) + " %";
 }
 
-std::string title(const Field& field, const Slice& slice, const std::string& unit) {
-  std::string text = one_line(field.scene);
-  if (!text.empty()) text += " — ";
-  text += one_line(field.metric);
-  if (!unit.empty()) text += " [" + unit + "]";
-  if (!slice.place.empty()) text += ", " + slice.place;
-  return text;
+Title title_of(const Field& field, const Slice& slice, const std::string& unit) {
+  Title title{one_line(field.scene), one_line(field.metric)};
+  if (!unit.empty()) title.rest += " [" + unit + "]";
+  if (!slice.place.empty()) title.rest += ", " + slice.place;
+  return title;
 }
 
 std::string subtitle(const Field& field) {
@@ -36,7 +34,8 @@ std::string subtitle(const Field& field) {
   }
   text += percent(s.observable, s.samples) + " of " + grouped(s.samples) +
           (s.samples == 1 ? " sample observable" : " samples observable");
-  if (field.cancelled) text += "; cancelled after " + grouped(field.evaluated);
+  if (field.cancelled)
+    text += "; cancelled after " + grouped(field.evaluated) + " samples";
   return text;
 }
 
@@ -48,7 +47,7 @@ std::string footnote(const Field& field, bool to_scale) {
   if (starts("sigma") || starts("eig"))
     text = "Scatter only: a bias that isn't modelled comes on top.";
   if (!to_scale)
-    text += (text.empty() ? "" : " ") + std::string{"Axes differ in scale."};
+    text += (text.empty() ? "" : " ") + std::string{"The axes differ in scale."};
   return text;
 }
 

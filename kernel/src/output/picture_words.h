@@ -11,15 +11,20 @@ namespace delos {
 /// A share as people say it: "12 %", "< 1 %", "> 99 %".
 [[nodiscard]] std::string percent(std::size_t part, std::size_t whole);
 
-/// "scene — metric [unit], z = 0.24 m".
-[[nodiscard]] std::string title(const Field& field, const Slice& slice,
-                                const std::string& unit);
+/// "scene — metric [unit], z = 0.24 m", in two pieces so that a long scene name can
+/// give way to what follows.
+struct Title {
+  std::string scene;  ///< may be empty
+  std::string rest;   ///< "metric [unit], z = 0.24 m"
+};
+[[nodiscard]] Title title_of(const Field& field, const Slice& slice,
+                             const std::string& unit);
 
 /// The whole field in a line: median, 95th percentile, share observable.
 [[nodiscard]] std::string subtitle(const Field& field);
 
 /// What a reader has to know to read the numbers rightly; may be empty.
-/// @param to_scale whether both axes have one scale
+/// @param to_scale whether both axes have the same scale
 [[nodiscard]] std::string footnote(const Field& field, bool to_scale);
 
 /// Why a slice without any finite value is empty.

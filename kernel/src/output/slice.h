@@ -17,11 +17,21 @@ struct SliceAxis {
   std::string name;  ///< "x", "y", "z" in the world, or "u", "v" along a plane's edge
   int count = 1;     ///< samples
   double first = 0;  ///< metres
-  double step = 1;   ///< metres between samples, > 0; a cell's width
+  double step = 1;   ///< metres between samples, > 0
 
-  /// Where cell edges end, metres: half a step beyond the first and last samples.
-  [[nodiscard]] double low() const { return first - step / 2; }
-  [[nodiscard]] double span() const { return step * count; }
+  /// What is shown, metres: from the first sample to the last one. A single sample
+  /// stands for a cell of a step's width.
+  [[nodiscard]] double low() const { return count > 1 ? first : first - step / 2; }
+  [[nodiscard]] double span() const { return count > 1 ? step * (count - 1) : step; }
+
+  /// From the shown range, 0 at its low end and 1 at its high one, to samples, and
+  /// back.
+  [[nodiscard]] double sample_at(double fraction) const {
+    return count > 1 ? fraction * (count - 1) : fraction - 0.5;
+  }
+  [[nodiscard]] double fraction_of(double sample) const {
+    return count > 1 ? sample / (count - 1) : sample + 0.5;
+  }
 };
 
 /// Samples of a volume's layer or of a plane, as rows and columns.

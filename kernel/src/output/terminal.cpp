@@ -10,7 +10,8 @@
 namespace delos {
 namespace {
 
-/// Size of the picture in characters and dots; a character is two dots high.
+/// Size of the picture in characters, each of which holds two dots, one above the
+/// other.
 struct TerminalSize {
   int columns, lines;
 };
@@ -30,7 +31,7 @@ TerminalSize terminal_size(const Slice& slice, int columns) {
 std::string colour_code(const char* which, const Rgb& colour) {
   std::string code = std::string{"\x1b["} + which + ";2";
   for (const double value : {colour.r, colour.g, colour.b})
-    code += ";" + std::to_string(std::lround(255 * value));
+    code.append(1, ';').append(std::to_string(std::lround(255 * value)));
   return code + "m";
 }
 
@@ -54,32 +55,34 @@ std::string shade_of_ink(double brightness) {
   return std::string(1, kRamp[std::min(step, kRamp.size() - 1)]);
 }
 
-/// What the colours mean, in one line: the scale's low end, the scale, its high end.
+/// What is shown and what the colours mean: the low value, the scale, the high one.
 std::string legend(const Field& field, const Slice& slice, const ColourScale& scale,
                    bool colour) {
-  if (!slice.best) return why_empty(slice) + "\n";
-  constexpr int kSteps = 12;
-  std::string bar;
-  for (int i = 0; i < kSteps; ++i) {
-    const double position = scale.flat() ? 0.5 : (i + 0.5) / kSteps;
-    if (colour)
-      bar += colour_code("38", scale.colour(position)) + "█";
-    else
-      bar += shade_of_ink(scale.bright_high ? position : 1 - position);
-  }
-  if (colour) bar += kReset;
-
+  std::string text = title_of(field, slice, "").rest + "\n";
+  if (!slice.best) return text + why_empty(slice) + "\n";
   const ExtremeWords words = extreme_words(slice, field.unit);
-  const bool best_is_low = !scale.bright_high;
-  std::string line = title(field, slice, "") + "\n";
-  line += (best_is_low ? words.best : words.worst) + " " + bar + " " +
-          (best_is_low ? words.worst : words.best);
-  if (scale.log10) line += " (log)";
-  if (slice.finite < slice.value.size()) {
-    line +=
-        "   · blind " + percent(slice.value.size() - slice.finite, slice.value.size());
+  if (scale.flat()) {
+    text += words.best;
+    if (slice.finite == slice.value.size()) text += " everywhere";
+  } else {
+    constexpr int kSteps = 12;
+    text += (scale.bright_high ? words.worst : words.best) + " ";
+    for (int i = 0; i < kSteps; ++i) {
+      const double position = (i + 0.5) / kSteps;
+      if (colour)
+        text += colour_code("38", scale.colour(position)) + "█";
+      else
+        text += shade_of_ink(scale.bright_high ? position : 1 - position);
+    }
+    if (colour) text += kReset;
+    text += " " + (scale.bright_high ? words.best : words.worst);
+    if (scale.log10) text += " (log)";
   }
-  return line + "\n";
+  if (slice.finite < slice.value.size()) {
+    text += field.cancelled ? "   · blind or not evaluated " : "   · blind ";
+    text += percent(slice.value.size() - slice.finite, slice.value.size());
+  }
+  return text + "\n";
 }
 
 }  // namespace
@@ -93,8 +96,8 @@ std::string terminal_picture(const Field& field, int columns, bool colour,
   const TerminalSize size = terminal_size(slice, columns);
 
   const auto shade = [&](int character, double line) {
-    return shaded.at(slice.axis[0].count * (character + 0.5) / size.columns - 0.5,
-                     slice.axis[1].count * (1 - line / size.lines) - 0.5);
+    return shaded.at(slice.axis[0].sample_at((character + 0.5) / size.columns),
+                     slice.axis[1].sample_at(1 - line / size.lines));
   };
   std::string text;
   for (int line = 0; line < size.lines; ++line) {

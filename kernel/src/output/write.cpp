@@ -74,11 +74,14 @@ const Format* find_format(const std::filesystem::path& file) {
 
 std::string unknown_suffix(const std::filesystem::path& file) {
   const std::string suffix = file.extension().string();
-  std::string sentence = file.string() + ": ";
-  sentence += suffix.empty() ? "no suffix to tell the format by"
-                             : "'" + suffix + "' isn't a format that can be written";
+  std::string sentence = file.string();
+  if (suffix.empty())
+    sentence += ": no suffix to tell the format by";
+  else
+    sentence.append(": '").append(suffix).append(
+        "' isn't a format that can be written");
   sentence += "; known are";
-  for (const Format& format : kFormats) sentence += " " + std::string{format.suffix};
+  for (const Format& format : kFormats) sentence.append(" ").append(format.suffix);
   return sentence;
 }
 

@@ -20,10 +20,11 @@ struct PictureOptions {
 /// Write a field in the format of the file's suffix. Written beside the target under a
 /// temporary name and then renamed, so that a failure leaves what was there.
 ///
-///   .vti  regular grid for ParaView; needs exactly one volume
-///   .vtp  points for ParaView; any samples
+///   .vti  regular grid for ParaView; needs exactly one volume; a blind value is NaN
+///   .vtp  points for ParaView; any samples; likewise
 ///   .csv  x,y,z,value,observable with a header; a blind value is empty
-///   .json the statistics and every value; a blind value is null
+///   .json field_json() with "columns" and "values": [[x, y, z, value, observable], …];
+///         a blind value is null
 ///   .png  a slice with a colour bar; needs a volume or a plane
 ///
 /// @returns empty, or a sentence that says why it was not written and what would be right.
@@ -43,6 +44,7 @@ struct PictureOptions {
 /// A small picture of a slice for a terminal: half blocks in 24-bit colour, or shades of
 /// plain characters where `colour` is false. Lines end in newlines.
 /// @param columns width available, characters
+/// @returns empty where no volume or plane is among the samples
 [[nodiscard]] DELOS_API std::string terminal_picture(const Field& field, int columns,
                                                      bool colour,
                                                      const PictureOptions& picture = {});
