@@ -3,6 +3,9 @@
 
 source "$root/cmake/packages.sh"
 
+# What ccache must overlook to keep precompiled headers.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # install_missing PACKAGE...: as root, or with sudo; else print the line to run.
 install_missing() {
   local missing=() package

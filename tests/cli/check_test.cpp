@@ -1,0 +1,120 @@
+// delos check, and what is wrong with the command line itself.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "program.h"
+
+namespace delos::test {
+namespace {
+
+/// Counts from the scenes themselves: 11·11·21, 41·41·41 and 24·39·11 samples.
+TEST(CheckCommand, FindsTheScenesInOrder) {
+  const Finished done =
+      run({"check", scene("01-acoustic"), scene("02-eight-cameras"), scene("03-hybrid"),
+           scene("04-motion-capture"), scene("05-optitrack-lab")});
+  EXPECT_EQ(done.code, 0);
+  EXPECT_EQ(done.err, "");
+  const std::string order = ": in order; ";
+  EXPECT_EQ(
+      done.out,
+      scene("01-acoustic") + order +
+          "4 devices, 2541 samples, 6 states, stacked fusion, solver spectral\n" +
+          scene("02-eight-cameras") + order +
+          "8 devices, 2541 samples, 6 states, stacked fusion, solver spectral\n" +
+          scene("03-hybrid") + order +
+          "12 devices, 2541 samples, 6 states, continuous fusion, solver spectral\n" +
+          scene("04-motion-capture") + order +
+          "8 devices, 68921 samples, 6 states, stacked fusion, solver spectral\n" +
+          scene("05-optitrack-lab") + order +
+          "8 devices, 10296 samples, 6 states, stacked fusion, solver spectral\n");
+}
+
+/// Every scene that is in the folder, so that a new one can't be forgotten.
+TEST(CheckCommand, FindsEverySceneOfTheFolderInOrder) {
+  std::vector<std::string> words = {"check"};
+  for (const auto& entry : std::filesystem::directory_iterator(DELOS_SCENES)) {
+    if (entry.path().extension() == ".yaml") words.push_back(entry.path().string());
+  }
+  ASSERT_GE(words.size(), 6u);
+  const Finished done = run(words);
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'),
+            static_cast<long>(words.size()) - 1);
+}
+
+TEST(CheckCommand, ReportsABadSceneAndGoesOn) {
+  const Folder folder;
+  folder.write("good.yaml", read_file(scene("01-acoustic")));
+  std::string text = read_file(scene("01-acoustic"));
+  text.replace(text.find("\nmetric: eigmax"), 8, "\nmetrik:");
+  folder.write("bad.yaml", text);
+  const auto line =
+      std::count(text.begin(), text.begin() + static_cast<long>(text.find("metrik:")),
+                 '\n') +
+      1;
+  const Finished done = run({"check", "bad.yaml", "good.yaml"}, folder.path());
+  EXPECT_EQ(done.code, 1);
+  EXPECT_EQ(done.err, "bad.yaml:" + std::to_string(line) +
+                          ":1: error: metrik: unknown key; did you mean 'metric'?\n");
+  EXPECT_EQ(done.out.rfind("good.yaml: in order; ", 0), 0u);
+  EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'), 1);
+}
+
+TEST(CheckCommand, ReportsASceneThatIsMissing) {
+  const Folder folder;
+  const Finished done = run({"check", "01-acustic.yaml"}, folder.path());
+  EXPECT_EQ(done.code, 1);
+  EXPECT_EQ(done.out, "");
+  EXPECT_EQ(done.err,
+            "01-acustic.yaml: error: the scene can't be read: No such file or "
+            "directory\n");
+}
+
+struct Mistake {
+  std::vector<std::string> words;
+  int code;
+  std::string message;  ///< a part of stderr
+};
+
+TEST(CommandLine, IsRefusedWithTheReason) {
+  const std::string first = scene("01-acoustic");
+  const Mistake table[] = {
+      {{}, 2, "A subcommand is required"},
+      {{"feild", first}, 2, "Run with --help"},
+      {{"field"}, 2, "scene"},
+      {{"field", first, "--solver", "magic"},
+       2,
+       "delos: --solver 'magic': choose auto, spectral, doubling or eigenvector\n"},
+      {{"field", first, "--solver", "spectral", "--fusion", "periodic"},
+       2,
+       "--solver spectral needs a position, position_velocity or "
+       "position_velocity_acceleration motion"},
+      {{"field", first, "--set", "devices.s1.rate"},
+       2,
+       "delos: --set 'devices.s1.rate': write PATH=VALUE, for example "
+       "--set devices.cam1.at.z=2.5\n"},
+      {{"field", first, "--set", "devices.s9.rate=3"},
+       1,
+       "--set devices.s9.rate: error: devices.s9: there is no such member; did you "
+       "mean 's1'?\n"},
+      {{"field", first, "--set", "devices.s1.rate=3 m"},
+       1,
+       "--set devices.s1.rate: error: devices.s1.rate: '3 m' is a length; expected a "
+       "frequency such as '100 Hz'\n"},
+      {{"field", first, "--threads", "-1"}, 2, "--threads"},
+      {{"field", first, "--treads", "1"}, 2, "--treads"},
+  };
+  for (const Mistake& row : table) {
+    std::vector<std::string> words = row.words;
+    const Finished done = run(words);
+    std::string shown;
+    for (const std::string& word : words) shown += word + " ";
+    EXPECT_EQ(done.code, row.code) << shown;
+    EXPECT_EQ(done.out, "") << shown;
+    EXPECT_NE(done.err.find(row.message), std::string::npos) << shown << done.err;
+  }
+}
+
+}  // namespace
+}  // namespace delos::test

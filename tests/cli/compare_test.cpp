@@ -1,0 +1,107 @@
+// delos compare: scenes side by side on the samples of the first.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "program.h"
+
+namespace delos::test {
+namespace {
+
+/// Allen and Welch (2005), section 3.4: cameras and speakers together are better than
+/// the cameras alone everywhere, and see above 0.68 m, where the cameras are blind.
+TEST(CompareCommand, GivesTheContractsMembers) {
+  const Finished done =
+      run({"compare", scene("02-eight-cameras"), scene("03-hybrid"), "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  ASSERT_EQ(json["scenes"].size(), 2u);
+  EXPECT_EQ(json["scenes"][0]["scene"], "Eight-camera acquisition rig");
+  EXPECT_EQ(json["scenes"][1]["scene"], "Cameras and speakers");
+  EXPECT_EQ(json["scenes"][0]["observable"], 2178);
+  EXPECT_EQ(json["scenes"][1]["observable"], 2541);
+  const Json& difference = json["difference"];
+  EXPECT_EQ(difference["improved_fraction"], 1.0);
+  EXPECT_EQ(difference["common"], 2178);
+  EXPECT_LT(difference["max"], 0);
+  EXPECT_LT(difference["min"], difference["mean"]);
+  EXPECT_LT(difference["mean"], difference["max"]);
+}
+
+/// The differences of the two fields, which the field command writes one by one.
+TEST(CompareCommand, SubtractsTheFirstFromTheSecond) {
+  const Folder folder;
+  const Json both = run({"compare", scene("01-acoustic"), scene("03-hybrid"), "--json",
+                         "--out", "difference.json"},
+                        folder.path())
+                        .json();
+  for (const char* name : {"01-acoustic", "03-hybrid"}) {
+    run({"field", scene(name), "--out", std::string(name) + ".json"}, folder.path());
+  }
+  const auto values = [&](const std::string& file) {
+    return Json::parse(read_file(folder.path() / file))["values"];
+  };
+  const Json first = values("01-acoustic.json"), second = values("03-hybrid.json"),
+             difference = values("difference.json");
+  ASSERT_EQ(difference.size(), 2541u);
+  double sum = 0, greatest = -1e300;
+  int better = 0;
+  for (std::size_t i = 0; i < 2541; ++i) {
+    const double change = second[i][3].get<double>() - first[i][3].get<double>();
+    EXPECT_NEAR(difference[i][3], change, 1e-15);
+    sum += change;
+    greatest = std::max(greatest, change);
+    better += change < 0;
+  }
+  EXPECT_NEAR(both["difference"]["mean"], sum / 2541, 1e-12);
+  EXPECT_NEAR(both["difference"]["max"], greatest, 1e-15);
+  EXPECT_NEAR(both["difference"]["improved_fraction"], better / 2541.0, 1e-12);
+}
+
+/// Seen from the other side nothing is better; against itself nothing changes.
+TEST(CompareCommand, TurnsRoundWithTheOrder) {
+  const Json json = run({"compare", scene("03-hybrid"), scene("02-eight-cameras"),
+                         scene("03-hybrid"), "--json"})
+                        .json();
+  ASSERT_EQ(json["differences"].size(), 2u);
+  EXPECT_EQ(json["differences"][0], json["difference"]);
+  EXPECT_EQ(json["difference"]["improved_fraction"], 0);
+  EXPECT_GT(json["difference"]["min"], 0);
+  EXPECT_EQ(json["differences"][1]["min"], 0);
+  EXPECT_EQ(json["differences"][1]["max"], 0);
+  EXPECT_EQ(json["differences"][1]["improved_fraction"], 0);
+}
+
+TEST(CompareCommand, UsesTheSamplesOfTheFirst) {
+  const Json json =
+      run({"compare", scene("01-acoustic"), scene("05-optitrack-lab"), "--json"})
+          .json();
+  EXPECT_EQ(json["scenes"][0]["samples"], 2541);
+  EXPECT_EQ(json["scenes"][1]["samples"], 2541);
+}
+
+TEST(CompareCommand, RefusesScenesOfDifferentMetrics) {
+  const Folder folder;
+  std::string text = read_file(scene("03-hybrid"));
+  text.replace(text.find("metric: eigmax"), 14, "metric: trace");
+  folder.write("trace.yaml", text);
+  folder.write("first.yaml", read_file(scene("02-eight-cameras")));
+  const std::vector<std::string> words = {"compare", "first.yaml", "trace.yaml",
+                                          "--json"};
+  const Finished done = run(words, folder.path());
+  EXPECT_EQ(done.code, 2);
+  EXPECT_EQ(done.out, "");
+  EXPECT_EQ(done.err,
+            "delos: trace.yaml shows trace and first.yaml shows eigmax; choose one for "
+            "all with --metric\n");
+  std::vector<std::string> one = words;
+  one.insert(one.end(), {"--metric", "sigma_z"});
+  EXPECT_EQ(run(one, folder.path()).code, 0);
+}
+
+TEST(CompareCommand, NeedsTwoScenes) {
+  EXPECT_EQ(run({"compare", scene("01-acoustic")}).code, 2);
+}
+
+}  // namespace
+}  // namespace delos::test

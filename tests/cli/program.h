@@ -1,0 +1,75 @@
+// Runs the built program as a user would, in time that is bounded.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace delos::test {
+
+using Json = nlohmann::json;
+
+/// A folder of its own that is removed with this object.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  /// Write a file into it.
+  /// @returns its path
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A file's bytes; empty where there is none.
+std::string read_file(const std::filesystem::path& file);
+
+/// A scene of the source tree: "01-acoustic".
+std::string scene(const std::string& name);
+
+/// What a run left behind.
+struct Finished {
+  int code = -1;  ///< exit code; 128 + the signal that ended it
+  std::string out, err;
+
+  /// The whole of stdout as one document; fails the test where it isn't.
+  [[nodiscard]] Json json() const;
+};
+
+/// The program at work; killed where it outlives this object.
+class Running {
+ public:
+  /// @param at working folder; empty: the test's
+  explicit Running(const std::vector<std::string>& arguments,
+                   const std::filesystem::path& at = {});
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void send(int signal) const;
+  /// What it wrote to stderr so far.
+  [[nodiscard]] std::string err() const;
+  [[nodiscard]] bool ended();
+  /// Wait for its end, two minutes at most.
+  Finished wait();
+
+ private:
+  Folder streams_;
+  pid_t pid_ = -1;
+  int status_ = 0;
+};
+
+/// Run it to its end.
+Finished run(const std::vector<std::string>& arguments,
+             const std::filesystem::path& at = {});
+
+}  // namespace delos::test
