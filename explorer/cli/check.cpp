@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "delos/field/fusion.h"
+#include "summary.h"
 
 namespace delos::cli {
 namespace {
@@ -20,13 +21,16 @@ int run(const CheckCommand& command) {
     try {
       const LoadedScene loaded = load(file, command.options, plugins);
       const FusionSolver solver(loaded.system, solver_named(command.options.solver));
+      const std::string problem = metric_problem(loaded.system, loaded.metric);
+      if (!problem.empty()) throw std::invalid_argument(problem);
       std::int64_t samples = 0;
       for (const SampleSet& set : loaded.scene.samples) samples += sample_count(set);
-      std::cout << file.string() << ": in order; " << loaded.system.devices.size()
-                << " devices, " << samples << " samples, "
-                << loaded.scene.motion.layout.size() << " states, "
-                << to_string(loaded.system.fusion) << " fusion, solver "
-                << to_string(solver.solver()) << "\n";
+      const auto states = static_cast<std::size_t>(loaded.scene.motion.layout.size());
+      std::cout << file.string() << ": in order; "
+                << counted(loaded.system.devices.size(), "device") << ", "
+                << counted(static_cast<std::size_t>(samples), "sample") << ", "
+                << counted(states, "state") << ", " << to_string(loaded.system.fusion)
+                << " fusion, solver " << to_string(solver.solver()) << "\n";
     } catch (const Failure& failure) {
       if (failure.code == kUsage) throw;
       if (!failure.message.empty()) std::cerr << failure.message << "\n";

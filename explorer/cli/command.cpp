@@ -22,7 +22,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       .add_option("--solver", options.solver, "auto, spectral, doubling or eigenvector")
       ->capture_default_str();
   command.add_option("--threads", options.threads, "Threads; 0: one a core")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   command
       .add_option("--plugin-dir", options.plugin_dirs,
@@ -63,10 +63,9 @@ LoadedScene load(const std::filesystem::path& file, const SceneOptions& options,
   if (!scene) throw Failure{kDiagnostics, ""};
 
   const auto metric = parse_metric(scene->metric, scene->motion.layout);
-  if (const auto* problem = std::get_if<std::string>(&metric)) {
-    throw Failure{kDiagnostics, file.string() + ": metric: " + *problem};
-  }
-  return {*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
+  LoadedScene loaded{*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
+  if (loaded.scene.name.empty()) loaded.scene.name = file.stem().string();
+  return loaded;
 }
 
 Solver solver_named(const std::string& name) {
@@ -76,6 +75,10 @@ Solver solver_named(const std::string& name) {
   }
   throw Failure{kUsage, "--solver '" + name +
                             "': choose auto, spectral, doubling or eigenvector"};
+}
+
+Failure unsolvable(const SceneOptions& options, const std::invalid_argument& error) {
+  return {options.solver == "auto" ? kDiagnostics : kUsage, error.what()};
 }
 
 Field evaluate(const LoadedScene& loaded, const Samples& samples,
@@ -95,7 +98,7 @@ Field evaluate(const LoadedScene& loaded, const Samples& samples,
     field.scene = loaded.scene.name;
     return field;
   } catch (const std::invalid_argument& error) {
-    throw Failure{kUsage, error.what()};
+    throw unsolvable(options, error);
   }
 }
 

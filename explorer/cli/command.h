@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -54,8 +54,14 @@ struct LoadedScene {
 /// @throws Failure kUsage
 [[nodiscard]] Solver solver_named(const std::string& name);
 
+/// What a system that the solver can't do ends with: the scene's fault, or that of a
+/// forced
+/// --solver.
+[[nodiscard]] Failure unsolvable(const SceneOptions& options,
+                                 const std::invalid_argument& error);
+
 /// Evaluate with progress on stderr and a clean end at Ctrl-C.
-/// @throws Failure kUsage where the solver can't do the scene
+/// @throws Failure as unsolvable()
 [[nodiscard]] Field evaluate(const LoadedScene& loaded, const Samples& samples,
                              const SceneOptions& options);
 

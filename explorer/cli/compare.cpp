@@ -36,7 +36,7 @@ Json to_json(const Comparison& c) {
 void print(std::ostream& out, const std::vector<Field>& fields,
            const std::vector<Comparison>& comparisons) {
   const std::string& unit = fields.front().unit;
-  const auto value = [&](double v) { return format_quantity(v, unit); };
+  const auto value = [&](double v) { return format_quantity(v, unit) + " "; };
   out << fields.front().metric << " over " << fields.front().samples.points.size()
       << " samples of " << fields.front().scene << "\n"
       << std::left << std::setw(44) << "scene" << std::setw(12) << "least"
@@ -54,8 +54,8 @@ void print(std::ostream& out, const std::vector<Field>& fields,
     out << fields[i + 1].scene << " against the first: better at "
         << std::setprecision(3) << 100 * c.improved_fraction << " % of the samples";
     if (c.common > 0) {
-      out << ", by " << value(c.mean) << " in the mean, from " << value(c.min) << " to "
-          << value(c.max);
+      out << ", by " << value(c.mean) << "in the mean, from " << value(c.min) << "to "
+          << format_quantity(c.max, unit);
     }
     out << "\n";
   }
@@ -95,9 +95,11 @@ int run(const CompareCommand& command) {
     if (fields.size() == 1) continue;
     comparisons.push_back(
         compare_fields(fields.front(), fields.back(), metric.larger_is_better));
+  }
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
     for (const auto& file : command.out) {
       const std::string problem =
-          write_field(comparisons.back().difference, numbered(file, fields.size() - 1));
+          write_field(comparisons[i].difference, numbered(file, i + 1));
       if (!problem.empty()) throw Failure{kDiagnostics, problem};
     }
   }

@@ -38,7 +38,8 @@ int terminal_columns() {
 }
 
 int run(const SceneOptions& options, const std::filesystem::path& out) {
-  const std::filesystem::path file = scenes_folder() / kScene;
+  const std::filesystem::path file =
+      std::filesystem::proximate(scenes_folder() / kScene);
   PluginRegistry plugins(plugin_folders(options.plugin_dirs));
   const LoadedScene loaded = load(file, options, plugins);
   const Samples samples = make_samples(loaded.scene.samples);
@@ -53,7 +54,7 @@ int run(const SceneOptions& options, const std::filesystem::path& out) {
             << terminal_picture(field, std::min(terminal_columns(), 100), colour,
                                 picture)
             << "\nThe picture: " << out.string() << "\nThe scene:   " << file.string()
-            << "\nTry next:    delos point " << file.string() << " --at 0,0,1.5\n";
+            << "\nTry next:    ./delos point " << file.string() << " --at 0,0,1.5\n";
   return field.cancelled ? kCancelled : kDone;
 }
 

@@ -128,7 +128,7 @@ int run(const PointCommand& command) {
       return evaluate_point(loaded.system, {rotation_from_rpy(rpy), at}, loaded.metric,
                             solver_named(command.options.solver));
     } catch (const std::invalid_argument& error) {
-      throw Failure{kUsage, error.what()};
+      throw unsolvable(command.options, error);
     }
   }();
   if (command.options.json) {

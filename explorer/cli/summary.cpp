@@ -18,6 +18,10 @@ std::string coordinates(const Eigen::Vector3d& p) {
 
 }  // namespace
 
+std::string counted(std::size_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field) {
   const FieldStatistics s = summarize(field);
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
@@ -26,8 +30,8 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
       << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
                                                             : "a-posteriori")
       << " covariance, " << to_string(loaded.system.fusion) << " fusion, "
-      << loaded.system.devices.size() << " devices\n"
-      << s.samples << " samples, " << s.observable << " observable\n";
+      << counted(loaded.system.devices.size(), "device") << "\n"
+      << counted(s.samples, "sample") << ", " << s.observable << " observable\n";
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";
@@ -44,7 +48,7 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   if (field.unit == "m" || field.unit == "rad") {
     out << "This is scatter: a bias that the scene doesn't model comes on top.\n";
   }
-  out << field.evaluations << " evaluations in " << std::setprecision(3)
+  out << counted(field.evaluations, "evaluation") << " in " << std::setprecision(3)
       << field.seconds << " s on " << field.threads
       << (field.threads == 1 ? " thread\n" : " threads\n");
 }

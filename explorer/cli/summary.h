@@ -7,6 +7,9 @@
 
 namespace delos::cli {
 
+/// "1 sample", "2 samples"
+[[nodiscard]] std::string counted(std::size_t count, const char* noun);
+
 /// Where the field is best, typical and worst, and how it was computed.
 void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field);
 

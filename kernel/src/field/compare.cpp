@@ -5,6 +5,12 @@
 #include "delos/field/evaluate.h"
 
 namespace delos {
+namespace {
+
+/// Relative difference below which two values are the same but for rounding.
+constexpr double kRounding = 1e-9;
+
+}  // namespace
 
 Comparison compare_fields(const Field& first, const Field& second,
                           bool larger_is_better) {
@@ -17,7 +23,8 @@ Comparison compare_fields(const Field& first, const Field& second,
     const double a = first.value[i], b = second.value[i];
     double& difference = c.difference.value[i];
     difference = std::numeric_limits<double>::infinity();
-    if (std::isfinite(b) && (!std::isfinite(a) || (larger_is_better ? b > a : b < a))) {
+    const double gain = larger_is_better ? b - a : a - b;
+    if (std::isfinite(b) && (!std::isfinite(a) || gain > kRounding * std::abs(a))) {
       ++improved;
     }
     if (!std::isfinite(a) || !std::isfinite(b)) continue;

@@ -111,6 +111,11 @@ void combine(const std::vector<PoseValue>& poses, std::size_t turns,
 
 }  // namespace
 
+std::string metric_problem(const System& system, const Metric& metric) {
+  if (metric.kind != MetricKind::latency || system.fusion != Fusion::artemis) return "";
+  return "metric latency: artemis fusion has no closed loop; use stacked or continuous";
+}
+
 std::vector<TargetPose> field_poses(const Samples& samples,
                                     const Orientations& orientations) {
   std::vector<Eigen::Matrix3d> turns;
@@ -130,9 +135,8 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
                      const FieldOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const System& system = layers.system();
-  if (metric.kind == MetricKind::latency && system.fusion == Fusion::artemis) {
-    throw std::invalid_argument(
-        "metric latency: artemis fusion has no closed loop; use stacked or continuous");
+  if (const std::string problem = metric_problem(system, metric); !problem.empty()) {
+    throw std::invalid_argument(problem);
   }
   const FusionSolver solver(system, options.solver);
   const std::size_t turns = orientations.rpy.size();

@@ -44,6 +44,7 @@ Json summary(const Field& field) {
       json["parts"].push_back(std::move(entry));
     }
   }
+  if (field.cancelled) json["cancelled"] = true;
   json["evaluations"] = field.evaluations;
   json["threads"] = field.threads;
   json["seconds"] = field.seconds;

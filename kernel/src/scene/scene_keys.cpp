@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "delos/model/metric.h"
 #include "delos/scene/units.h"
 #include "scene/device_keys.h"
 #include "scene/motion_keys.h"
@@ -87,7 +88,12 @@ constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
      [](const Draft& d) -> Written { return to_node(to_string(d.scene.covariance)); }},
     {"metric", Need::optional, "the number that is shown",
      [](Reader& r, const Place& p, Draft& d) {
-       if (auto metric = r.word(p)) d.scene.metric = std::move(*metric);
+       auto metric = r.word(p);
+       if (!metric) return;
+       const auto known = parse_metric(*metric, d.scene.motion.layout);
+       const auto* problem = std::get_if<std::string>(&known);
+       if (problem && d.motion_known) r.error(p, *problem);
+       d.scene.metric = std::move(*metric);
      },
      [](const Draft& d) -> Written { return to_node(d.scene.metric); }},
     {"target", Need::optional, "the thing that is tracked",

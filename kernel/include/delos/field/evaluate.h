@@ -26,6 +26,10 @@ struct FieldOptions {
       nullptr;  ///< set: stop soon and return what there is
 };
 
+/// Empty where the metric is defined for the system; else a sentence that says why not.
+[[nodiscard]] DELOS_API std::string metric_problem(const System& system,
+                                                   const Metric& metric);
+
 /// The poses of a field: every sample point in every orientation, orientations
 /// innermost.
 [[nodiscard]] DELOS_API std::vector<TargetPose> field_poses(
@@ -57,7 +61,8 @@ struct Comparison {
   double mean = 0;               ///< of second − first, where both are finite
   double min = 0;                ///< the largest fall
   double max = 0;                ///< the largest rise
-  double improved_fraction = 0;  ///< of all samples: better, or finite where it wasn't
+  double improved_fraction = 0;  ///< of all samples: better by more than 1e-9
+                                 ///< relative, or finite where it wasn't
   std::size_t common = 0;        ///< samples where both are finite
   Field difference;              ///< second − first; +∞ where either isn't finite
 };

@@ -1,0 +1,149 @@
+// Who may know whom: explorer -> kernel <- plugins, and one room for each library.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "sources.h"
+
+namespace delos::test {
+namespace {
+
+bool starts(const std::string& text, const std::string& with) {
+  return text.rfind(with, 0) == 0;
+}
+
+/// <vector>, but neither <unistd.h> nor <yaml-cpp/yaml.h>.
+bool is_standard(const Include& i) {
+  return !i.quoted && i.file.find_first_of("/.") == std::string::npos;
+}
+
+bool is_eigen(const Include& i) { return !i.quoted && starts(i.file, "Eigen/"); }
+
+/// A file that exists in one of these folders of the root, or beside the source.
+bool is_own(const Include& i, const Source& source,
+            const std::vector<std::string>& folders) {
+  const auto beside = (root() / source.path).parent_path() / i.file;
+  if (i.quoted && std::filesystem::exists(beside)) return true;
+  for (const std::string& folder : folders) {
+    if (std::filesystem::exists(root() / folder / i.file)) return true;
+  }
+  return false;
+}
+
+TEST(Arrows, AreReadFromAllFiles) {
+  // Enough to know that the folders are the right ones.
+  EXPECT_GE(sources("kernel/include").size(), 20u);
+  EXPECT_GE(sources("kernel/src").size(), 50u);
+  EXPECT_GE(sources("plugins").size(), 3u);
+  EXPECT_GE(sources("explorer").size(), 10u);
+  EXPECT_GE(includes(sources("plugins").front()).size(), 1u);
+}
+
+/// The kernel's own files come from the kernel: none is reached in explorer or plugins.
+TEST(Arrows, LeadFromTheKernelToNobody) {
+  for (const Source& source : sources("kernel")) {
+    for (const Include& i : includes(source)) {
+      if (i.quoted) {
+        EXPECT_TRUE(is_own(i, source, {"kernel/include", "kernel/src"}))
+            << source.path << " includes " << i.file;
+      }
+      EXPECT_EQ(i.file.find(".."), std::string::npos) << source.path;
+      EXPECT_EQ(i.file.find("explorer/"), std::string::npos) << source.path;
+      EXPECT_EQ(i.file.find("plugins/"), std::string::npos) << source.path;
+    }
+  }
+}
+
+TEST(Arrows, LeadFromPublicHeadersToPublicHeaders) {
+  for (const Source& source : sources("kernel/include")) {
+    for (const Include& i : includes(source)) {
+      const bool public_header =
+          starts(i.file, "delos/") && is_own(i, {}, {"kernel/include"});
+      EXPECT_TRUE(public_header || is_standard(i) || is_eigen(i))
+          << source.path << " includes " << i.file;
+    }
+  }
+}
+
+TEST(Arrows, LeadFromPluginsToPublicHeaders) {
+  for (const Source& source : sources("plugins")) {
+    for (const Include& i : includes(source)) {
+      const bool public_header =
+          starts(i.file, "delos/") && is_own(i, {}, {"kernel/include"});
+      const bool beside = i.quoted && !starts(i.file, "..") && is_own(i, source, {});
+      EXPECT_TRUE(public_header || beside || is_standard(i) || is_eigen(i))
+          << source.path << " includes " << i.file;
+    }
+  }
+}
+
+/// The program uses the kernel as anybody could: by its public headers.
+TEST(Arrows, LeadFromTheExplorerToPublicHeaders) {
+  for (const Source& source : sources("explorer")) {
+    for (const Include& i : includes(source)) {
+      if (!i.quoted) continue;
+      EXPECT_TRUE(is_own(i, source, {"kernel/include", "explorer"}))
+          << source.path << " includes " << i.file;
+      EXPECT_EQ(i.file.find(".."), std::string::npos) << source.path;
+    }
+  }
+}
+
+struct Home {
+  const char* library;
+  std::regex header;
+  std::vector<std::string> folders;
+};
+
+TEST(Arrows, LeadToEachLibraryFromItsRoom) {
+  const Home homes[] = {
+      {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/scene/"}},
+      {"Boost", std::regex("boost/.*"), {"kernel/src/plugin/"}},
+      {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
+      {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
+      {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/scene/"}},
+      {"OpenMP", std::regex("omp\\.h"), {"kernel/src/field/"}},
+      {"CLI11", std::regex("CLI/.*"), {"explorer/cli/"}},
+  };
+  std::vector<Source> all = sources("kernel");
+  for (const char* folder : {"plugins", "explorer"}) {
+    for (Source& source : sources(folder)) all.push_back(std::move(source));
+  }
+  for (const Home& home : homes) {
+    int uses = 0;
+    for (const Source& source : all) {
+      bool at_home = false;
+      for (const std::string& folder : home.folders) {
+        at_home = at_home || starts(source.path, folder);
+      }
+      for (const Include& i : includes(source)) {
+        if (!std::regex_match(i.file, home.header)) continue;
+        ++uses;
+        EXPECT_TRUE(at_home) << source.path << " includes " << i.file;
+      }
+    }
+    EXPECT_GT(uses, 0) << home.library << ": nobody includes it under this name";
+  }
+}
+
+/// A new device is a new folder and nothing else, so the kernel names none, not even in
+/// a comment. An id that is a plain word, such as linear, counts where it stands in
+/// quotes.
+TEST(Kernel, NamesNoDevice) {
+  const std::vector<Source> kernel = sources("kernel");
+  int devices = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(root() / "plugins")) {
+    if (!entry.is_directory()) continue;
+    ++devices;
+    const std::string id = entry.path().filename().string();
+    const bool plain = id.find('_') == std::string::npos;
+    const std::regex name(plain ? "[\"']" + id + "[\"']" : "\\b" + id + "\\b");
+    for (const Source& source : kernel) {
+      EXPECT_FALSE(std::regex_search(source.text, name)) << source.path << ": " << id;
+    }
+  }
+  EXPECT_GE(devices, 3);
+}
+
+}  // namespace
+}  // namespace delos::test
