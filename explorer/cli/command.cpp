@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "delos/scene/units.h"
-#include "interrupt.h"
 #include "progress.h"
 
 namespace delos::cli {
@@ -82,8 +81,7 @@ Failure unsolvable(const SceneOptions& options, const std::invalid_argument& err
 }
 
 Field evaluate(const LoadedScene& loaded, const Samples& samples,
-               const SceneOptions& options) {
-  const Interrupt interrupt;
+               const SceneOptions& options, const Interrupt& interrupt) {
   Progress progress(loaded.scene.name);
   FieldOptions field_options;
   field_options.solver = solver_named(options.solver);

@@ -11,6 +11,7 @@
 #include "delos/field/system.h"
 #include "delos/plugin/registry.h"
 #include "delos/scene/io.h"
+#include "interrupt.h"
 
 namespace delos::cli {
 
@@ -60,10 +61,11 @@ struct LoadedScene {
 [[nodiscard]] Failure unsolvable(const SceneOptions& options,
                                  const std::invalid_argument& error);
 
-/// Evaluate with progress on stderr and a clean end at Ctrl-C.
+/// Evaluate with progress on stderr and a clean end at Ctrl-C. The interrupt outlives the
+/// evaluation, so that writing the result isn't cut short either.
 /// @throws Failure as unsolvable()
 [[nodiscard]] Field evaluate(const LoadedScene& loaded, const Samples& samples,
-                             const SceneOptions& options);
+                             const SceneOptions& options, const Interrupt& interrupt);
 
 /// "1.5,2,0.3" as three numbers, each with an optional unit.
 /// @throws Failure kUsage

@@ -83,10 +83,11 @@ int run(const CompareCommand& command) {
     }
   }
 
+  const Interrupt interrupt;
   std::vector<Field> fields;
   std::vector<Comparison> comparisons;
   for (const LoadedScene& scene : scenes) {
-    fields.push_back(evaluate(scene, samples, command.options));
+    fields.push_back(evaluate(scene, samples, command.options, interrupt));
     if (fields.back().cancelled) {
       std::cerr
           << "delos: stopped; a comparison needs every scene, nothing was written\n";

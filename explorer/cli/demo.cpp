@@ -43,7 +43,8 @@ int run(const SceneOptions& options, const std::filesystem::path& out) {
   PluginRegistry plugins(plugin_folders(options.plugin_dirs));
   const LoadedScene loaded = load(file, options, plugins);
   const Samples samples = make_samples(loaded.scene.samples);
-  const Field field = evaluate(loaded, samples, options);
+  const Interrupt interrupt;
+  const Field field = evaluate(loaded, samples, options, interrupt);
   const PictureOptions picture{.larger_is_better = loaded.metric.larger_is_better};
   if (const std::string problem = write_field(field, out, picture); !problem.empty()) {
     throw Failure{kDiagnostics, problem};
@@ -69,6 +70,7 @@ void add_demo_command(CLI::App& program, int& exit_code) {
   CLI::App* app = program.add_subcommand(
       "demo", "Evaluate and draw a real motion-capture laboratory of eight cameras");
   app->add_option("--out", demo->out, "Where the picture goes")->capture_default_str();
+  app->footer("Example:\n  delos demo --out laboratory.png");
   app->callback([demo, &exit_code] { exit_code = run(demo->options, demo->out); });
 }
 

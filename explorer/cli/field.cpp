@@ -40,7 +40,8 @@ int run(const FieldCommand& command) {
     picture.has_slice = true;
   }
 
-  const Field field = evaluate(loaded, samples, command.options);
+  const Interrupt interrupt;
+  const Field field = evaluate(loaded, samples, command.options, interrupt);
   for (const auto& file : command.out) {
     if (const std::string problem = write_field(field, file, picture);
         !problem.empty()) {

@@ -34,16 +34,11 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
     return exit_code;
-  } catch (const CLI::RequiredError& error) {
-    if (argc < 2 || argv[1][0] == '-')
-      return program.exit(error, std::cout, std::cerr), kUsage;
-    std::cerr << "delos: '" << argv[1] << "' is not a command:";
-    for (const CLI::App* command : program.get_subcommands({})) {
-      std::cerr << " " << command->get_name();
-    }
-    std::cerr << "\n";
-    return kUsage;
   } catch (const CLI::ParseError& error) {
+    if (argc > 1 && argv[1][0] != '-' && !program.get_subcommand_no_throw(argv[1])) {
+      std::cerr << "delos: '" << argv[1] << "' is not a command; delos --help lists them\n";
+      return kUsage;
+    }
     return program.exit(error, std::cout, std::cerr) == 0 ? kDone : kUsage;
   } catch (const Failure& failure) {
     if (!failure.message.empty()) std::cerr << "delos: " << failure.message << "\n";

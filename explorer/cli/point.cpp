@@ -22,6 +22,7 @@ struct PointCommand {
 /// Rows and columns of states that reach into a lost direction have no finite
 /// covariance.
 StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
+  if (unobservable.cols() == 0) return P;
   for (Eigen::Index i = 0; i < unobservable.rows(); ++i) {
     if (unobservable.row(i).cwiseAbs().maxCoeff() < 1e-9) continue;
     P.row(i).setConstant(std::numeric_limits<double>::infinity());

@@ -81,7 +81,9 @@ TEST(CommandLine, IsRefusedWithTheReason) {
   const std::string first = scene("01-acoustic");
   const Mistake table[] = {
       {{}, 2, "A subcommand is required"},
-      {{"feild", first}, 2, "Run with --help"},
+      {{"feild", first},
+       2,
+       "delos: 'feild' is not a command: field point compare check devices"},
       {{"field"}, 2, "scene"},
       {{"field", first, "--solver", "magic"},
        2,

@@ -64,6 +64,7 @@ TEST_P(Interrupted, FieldKeepsWhatItReached) {
   const Json json = done.json();
   EXPECT_EQ(json["samples"], kSamples);
   EXPECT_EQ(json["observable"], reached);
+  EXPECT_EQ(json["cancelled"], true);
 
   std::istringstream table(read_file(folder.path() / "part.csv"));
   std::string line;
