@@ -1,5 +1,6 @@
 // delos: the command line. Each command stands in a file of its own.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 
@@ -35,8 +36,14 @@ int main(int argc, char** argv) {
     program.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    if (argc > 1 && argv[1][0] != '-' && !program.get_subcommand_no_throw(argv[1])) {
-      std::cerr << "delos: '" << argv[1] << "' is not a command; delos --help lists them\n";
+    const auto commands = program.get_subcommands({});
+    const bool known =
+        std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
+          return argc > 1 && command->get_name() == argv[1];
+        });
+    if (argc > 1 && argv[1][0] != '-' && !known) {
+      std::cerr << "delos: '" << argv[1]
+                << "' is not a command; delos --help lists them\n";
       return kUsage;
     }
     return program.exit(error, std::cout, std::cerr) == 0 ? kDone : kUsage;

@@ -31,7 +31,7 @@ inline constexpr double kChainScale = kOrder == 3 ? 64.0 : 4.0;
 /// k = 1, e = 4/ρ, s = √(1 + e):  P = (1 + s)/2,  Π = P − 1 = e/(2 (1 + s)).
 template <bool kSlopes>
 inline ChainTerms<1> chain_terms_1(double e, CovarianceKind kind) {
-  ChainTerms<1> f;
+  ChainTerms<1> f{};
   const double s = std::sqrt(1 + e);
   f.value[0] = kind == CovarianceKind::prior ? (1 + s) / 2 : e / (2 * (1 + s));
   if constexpr (kSlopes) f.slope[0] = 1 / (4 * s);
@@ -47,7 +47,7 @@ inline ChainTerms<1> chain_terms_1(double e, CovarianceKind kind) {
 /// bit.
 template <bool kSlopes>
 inline ChainTerms<2> chain_terms_2(double e, CovarianceKind kind) {
-  ChainTerms<2> f;
+  ChainTerms<2> f{};
   const double v = std::sqrt(1.0 / 12 + e);
   const double u = 1.0 / 3 + v;
   const double r = std::sqrt(u);
@@ -95,7 +95,7 @@ inline double chain_root_3(double a) {
 /// w ≥ 2.31 and w³/2 ≥ 4a: the differences lose a decimal digit at most.
 template <bool kSlopes>
 inline ChainTerms<3> chain_terms_3(double e, CovarianceKind kind) {
-  ChainTerms<3> f;
+  ChainTerms<3> f{};
   const double a = std::sqrt(e + 2.0 / 15);
   const double w = chain_root_3(a);
   const double b = w * (1 + w / 2), g = b + a;
@@ -162,7 +162,7 @@ inline double butterworth_radius(double rate) {
 template <int kOrder, bool kSlopes>
 inline ChainTerms<kOrder> chain_values(const Sampling& sampling, double lambda,
                                        CovarianceKind kind) {
-  const int top = 2 * kOrder - 1;
+  constexpr int kTop = 2 * kOrder - 1;
   ChainTerms<kOrder> f;
   double length, e_over_lambda = 0;  // the unit of time, and −∂e/∂λ
   if (sampling.continuous) {
@@ -170,19 +170,20 @@ inline ChainTerms<kOrder> chain_values(const Sampling& sampling, double lambda,
     length = 1 / butterworth_radius<kOrder>(lambda);
   } else {
     length = sampling.dt;
-    const double e = kChainScale<kOrder> / (power(length, top) * lambda);
+    const double e = kChainScale<kOrder> / (power(length, kTop) * lambda);
     f = chain_terms<kOrder, kSlopes>(e, kind);
     e_over_lambda = e / lambda;
   }
+  double scale[kTop + 1] = {1};  // powers of the unit of time
+  for (int p = 1; p <= kTop; ++p) scale[p] = scale[p - 1] * length;
   for (int i = 0, entry = 0; i < kOrder; ++i) {
     for (int j = i; j < kOrder; ++j, ++entry) {
-      const int exponent = top - i - j;
-      const double scale = power(length, exponent);
-      f.value[entry] *= scale;
+      const int exponent = kTop - i - j;
+      f.value[entry] *= scale[exponent];
       if constexpr (kSlopes) {
         f.slope[entry] = sampling.continuous
                              ? -exponent * f.value[entry] / (2 * kOrder * lambda)
-                             : -e_over_lambda * f.slope[entry] * scale;
+                             : -e_over_lambda * f.slope[entry] * scale[exponent];
       }
     }
   }

@@ -33,22 +33,36 @@ SpectralForm reduce(const CoordinateMatrix& L, const CoordinateMatrix& S) {
 }
 
 /// Σ_a f(λ_a) v_a v_aᵀ for every block; P is K×K blocks of d×d, symmetric like their
-/// blocks.
+/// blocks, of which only the upper triangles are summed.
 template <int kSize, int kOrder>
 StateMatrix covariance(const SpectralForm& form, const Sampling& sampling,
                        CovarianceKind kind) {
+  constexpr int kState = kSize * kOrder, kEntries = kSize * (kSize + 1) / 2;
   const Square<kSize> V = riccati::observed_directions<kSize>(form);
   riccati::ChainTerms<kOrder> f[kSize] = {};  // lost directions add nothing
-  for (int a = form.unobservable; a < kSize; ++a)
-    f[a] = chain_values<kOrder, false>(sampling, form.lambda[a], kind);
-  StateMatrix P(kSize * kOrder, kSize * kOrder);
-  for (int i = 0, entry = 0; i < kOrder; ++i) {
-    for (int j = i; j < kOrder; ++j, ++entry) {
-      Square<kSize> block = Square<kSize>::Zero();
+  double outer[kSize][kEntries];
+  for (int a = 0; a < kSize; ++a) {
+    if (a >= form.unobservable)
+      f[a] = chain_values<kOrder, false>(sampling, form.lambda[a], kind);
+    for (int c = 0, entry = 0; c < kSize; ++c)
+      for (int r = 0; r <= c; ++r) outer[a][entry++] = V(r, a) * V(c, a);
+  }
+  StateMatrix P(kState, kState);
+  Eigen::Map<Square<kState>> out(P.data());
+  for (int i = 0, term = 0; i < kOrder; ++i) {
+    for (int j = i; j < kOrder; ++j, ++term) {
+      double sum[kEntries] = {};
       for (int a = 0; a < kSize; ++a)
-        block += (f[a].value[entry] * V.col(a)) * V.col(a).transpose();
-      P.block<kSize, kSize>(i * kSize, j * kSize) = block;
-      if (i != j) P.block<kSize, kSize>(j * kSize, i * kSize) = block;
+        for (int entry = 0; entry < kEntries; ++entry)
+          sum[entry] += f[a].value[term] * outer[a][entry];
+      for (int c = 0, entry = 0; c < kSize; ++c) {
+        for (int r = 0; r <= c; ++r, ++entry) {
+          out(i * kSize + r, j * kSize + c) = out(i * kSize + c, j * kSize + r) =
+              sum[entry];
+          out(j * kSize + r, i * kSize + c) = out(j * kSize + c, i * kSize + r) =
+              sum[entry];
+        }
+      }
     }
   }
   return P;

@@ -36,10 +36,10 @@ struct ChainSolution {
 /// @param dt     update period, seconds, > 0
 /// @param lambda information of one update, > 0
 /// @returns the covariance; `derivative` is left empty (0×0).
-/// @cost  a few square roots; k = 3 adds two Halley steps. No heap.
+/// @cost  a few square roots; k = 3 adds a cube root and two Halley steps. No heap.
 /// Source: k = 1, 2: Kalata (1984), doi:10.1109/TAES.1984.310438, rewritten without
 ///         cancellation; k = 3: spectral factorisation in the bilinear variable,
-///         chain.cpp.
+///         chain_terms.h.
 [[nodiscard]] DELOS_API ChainSolution discrete_chain(int order, double dt,
                                                      double lambda,
                                                      CovarianceKind kind);

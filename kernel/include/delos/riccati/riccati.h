@@ -61,6 +61,7 @@ struct SteadyState {
 /// The same fixed point over a whole cycle of different steps: the steady state at the
 /// end of each step, in the order of `cycle`, written to `states`.
 /// @pre states.size() == cycle.size() ≥ 1
+/// @cost one copy of the cycle on the heap, and solve_doubling() of the composed cycle
 DELOS_API void solve_cycle(std::span<const CycleStep> cycle,
                            std::span<SteadyState> states);
 
@@ -71,7 +72,9 @@ solve_continuous(const MotionStep& continuous, const StateMatrix& information_ra
 
 /// The papers' own solution, the reference that the others are compared with:
 /// eigenvectors of the 2n×2n symplectic matrix Ψ with the largest |eigenvalue|, P∞ = B
-/// C⁻¹. Allocates; singular A and exact rows are outside its reach.
+/// C⁻¹. Allocates; singular A and exact rows are outside its reach. So are slow
+/// filters, whose Ψ is nearly defective: the status is iteration_limit where P does not
+/// solve its equation.
 /// @param steps one: the usual Ψ. Several: the sum of their Ψ, Table 3.3 of the
 ///        dissertation ("artemis" fusion), in which P∞ is no longer a Kalman
 ///        covariance.
