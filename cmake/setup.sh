@@ -5,6 +5,8 @@ source "$root/cmake/packages.sh"
 
 # What ccache must overlook to keep precompiled headers.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
+# A second clone shares what the first one compiled.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
 # install_missing PACKAGE...: as root, or with sudo; else print the line to run.
 install_missing() {

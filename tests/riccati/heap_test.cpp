@@ -114,11 +114,12 @@ TEST_F(Heap, IsNotTouchedByTheGeneralPathAtThirtyStates) {
   EXPECT_EQ(count_allocations([&] { (void)solve_continuous(drift, all.information); }),
             0);
   const StateMatrix Y = StateMatrix::Identity(n, n);
+  const CycleStep cycle{motion, all};
   EXPECT_EQ(count_allocations([&] { (void)riccati_gradient(motion, all, s, Y, true); }),
             0);
   EXPECT_EQ(count_allocations([&] { (void)riccati_residual(motion, all, s.prior); }),
             0);
-  EXPECT_EQ(count_allocations([&] { (void)closed_loop_radius(motion, s); }), 0);
+  EXPECT_EQ(count_allocations([&] { (void)closed_loop_radius({&cycle, 1}, {&s, 1}); }), 0);
 }
 
 }  // namespace

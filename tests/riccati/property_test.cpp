@@ -205,7 +205,7 @@ TEST(NoiseFreeModes, MeasuredGrowthHasAFiniteVariance) {
         solve_doubling(step, informed(StateMatrix::Constant(1, 1, 3)));
     EXPECT_EQ(s.status, RiccatiStatus::converged);
     EXPECT_NEAR(s.prior(0, 0), (a * a - 1) / 3, 1e-12);
-    EXPECT_NEAR(closed_loop_radius(step, s), 1 / std::abs(a), 1e-12);
+    EXPECT_NEAR(testing::closed_loop_radius(step, s), 1 / std::abs(a), 1e-12);
   }
 }
 
@@ -246,7 +246,7 @@ TEST(LargestState, ThirtyStatesMatchLongDouble) {
       step.A.cast<long double>(), step.Q.cast<long double>(), S.cast<long double>());
   EXPECT_LT(relative(s.prior, reference.cast<double>()), 1e-10);
   EXPECT_LT(riccati_residual(step, informed(S), s.prior), 1e-13);
-  EXPECT_LT(closed_loop_radius(step, s), 1);
+  EXPECT_LT(testing::closed_loop_radius(step, s), 1);
 }
 
 // A cycle of equal steps is that step; a cycle with gaps agrees with its hand-composed

@@ -81,4 +81,10 @@ inline double condition(const Eigen::MatrixXd& spd) {
   return e.eigenvalues()[spd.rows() - 1] / e.eigenvalues()[0];
 }
 
+/// closed_loop_radius() of one step repeated.
+inline double closed_loop_radius(const MotionStep& motion, const SteadyState& state) {
+  const CycleStep step{motion, {}};
+  return delos::closed_loop_radius({&step, 1}, {&state, 1});
+}
+
 }  // namespace delos::testing

@@ -27,7 +27,7 @@ StateMatrix correction(const SteadyState& state) {
   return observed * M * observed;
 }
 
-Eigen::VectorXcd poles(const StateMatrix& loop) {
+Eigen::EigenSolver<StateMatrix>::EigenvalueType poles(const StateMatrix& loop) {
   return Eigen::EigenSolver<StateMatrix>(loop, false).eigenvalues();
 }
 
