@@ -81,9 +81,7 @@ TEST(CommandLine, IsRefusedWithTheReason) {
   const std::string first = scene("01-acoustic");
   const Mistake table[] = {
       {{}, 2, "A subcommand is required"},
-      {{"feild", first},
-       2,
-       "delos: 'feild' is not a command: field point compare check devices"},
+      {{"feild", first}, 2, "delos: 'feild' is not a command; delos --help lists them"},
       {{"field"}, 2, "scene"},
       {{"field", first, "--solver", "magic"},
        2,

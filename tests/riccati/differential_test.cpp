@@ -111,7 +111,8 @@ TEST_P(Differential, ThousandSystems) {
     ASSERT_EQ(state.status, RiccatiStatus::converged) << "case " << i;
     doubling.count(testing::relative(state.prior, reference), 8 * unit, none);
 
-    if (1 - testing::closed_loop_radius(motion, state) > 10 * std::pow(n * kEps, 0.5 / k)) {
+    if (1 - testing::closed_loop_radius(motion, state) >
+        10 * std::pow(n * kEps, 0.5 / k)) {
       const CycleStep step{motion, testing::informed(full)};
       const SteadyState vectors = solve_eigenvector({&step, 1});
       EXPECT_EQ(vectors.status, RiccatiStatus::converged);

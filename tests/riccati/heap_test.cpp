@@ -119,7 +119,10 @@ TEST_F(Heap, IsNotTouchedByTheGeneralPathAtThirtyStates) {
             0);
   EXPECT_EQ(count_allocations([&] { (void)riccati_residual(motion, all, s.prior); }),
             0);
-  EXPECT_EQ(count_allocations([&] { (void)closed_loop_radius({&cycle, 1}, {&s, 1}); }), 0);
+  EXPECT_EQ(count_allocations([&] {
+              (void)closed_loop_radius({&cycle, 1}, {&s, 1});
+            }),
+            0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 
@@ -136,7 +137,8 @@ class Draw {
     if (coin()) s.orientations.rpy = vectors();
     if (coin()) s.orientations.combine = OrientationRule::mean;
     if (coin()) s.covariance = CovarianceKind::posterior;
-    if (coin()) s.metric = word();
+    constexpr const char* kMetrics[] = {"trace", "mle", "det", "coverage", "latency"};
+    if (coin()) s.metric = kMetrics[s.devices.size() % std::size(kMetrics)];
     if (coin()) s.markers = vectors();
     for (int i = upto(2); i > 0; --i)
       s.groups.push_back({"rig " + std::to_string(i), placement()});

@@ -136,7 +136,7 @@ class UnitSystem {
     if (!parsed) {
       const std::string meant = nearest(text, kCommon);
       return refuse("unknown unit '" + text + '\'' +
-                    (meant.empty() ? "" : ", did you mean '" + meant + "'?"));
+                    (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
     }
     Walk walk;
     const ut_status status = ut_accept_visitor(parsed, &kVisitor, &walk);
