@@ -9,8 +9,10 @@ include(GNUInstallDirs)
 function(delos_add_device id)
   add_library(delos_device_${id} MODULE ${ARGN})
   target_link_libraries(delos_device_${id} PRIVATE delos::kernel)
-  # As the kernel is built: no fused operations, which differ by machine.
-  target_compile_options(delos_device_${id} PRIVATE -ffp-contract=off)
+  # As the kernel is built: no fused operations, which differ by machine, and nothing that
+  # keeps loops from vector instructions.
+  target_compile_options(delos_device_${id} PRIVATE
+    -ffp-contract=off -fno-math-errno -fno-trapping-math)
   set_target_properties(delos_device_${id} PROPERTIES
     OUTPUT_NAME ${id} PREFIX ""
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON

@@ -8,6 +8,8 @@
 // systems", VRST '05, §2.1.2 (measurement) and §3.2 (noise).
 #include <delos/plugin.h>
 
+#include <cmath>
+
 namespace {
 
 class AcousticRange final : public delos::Device {
@@ -34,6 +36,21 @@ class AcousticRange final : public delos::Device {
     out.z.setConstant(1, range);
     out.H = target.p_ST.transpose() / range;
     out.R.setConstant(1, 1, r_ * range * range);
+    return true;
+  }
+
+  bool observe_lanes(const delos::PointLanes& points,
+                     delos::RowLanes& out) const override {
+    out.rows = 1;
+    for (int l = 0; l < delos::kLanes; ++l) {
+      const double x = points.p[0][l], y = points.p[1][l], z = points.p[2][l];
+      const double range = std::sqrt(x * x + y * y + z * z);
+      out.seen[l] = (range > 0) & (range <= reach_) ? 1 : 0;
+      out.H[0][0][l] = x / range;
+      out.H[0][1][l] = y / range;
+      out.H[0][2][l] = z / range;
+      out.variance[0][l] = r_ * range * range;
+    }
     return true;
   }
 

@@ -104,6 +104,25 @@ class PinholeCamera final : public delos::Device {
     return true;
   }
 
+  bool observe_lanes(const delos::PointLanes& points,
+                     delos::RowLanes& out) const override {
+    out.rows = 2;
+    for (int l = 0; l < delos::kLanes; ++l) {
+      const double x = points.p[0][l], y = points.p[1][l], z = points.p[2][l];
+      const double u = x / z, v = y / z;
+      const bool seen = (z >= near_) & (z <= far_) & (std::abs(u) <= u_max_) &
+                        (std::abs(v) <= v_max_);
+      out.seen[l] = seen ? 1 : 0;
+      out.H[0][0][l] = out.H[1][1][l] = 1 / z;
+      out.H[0][1][l] = out.H[1][0][l] = 0;
+      out.H[0][2][l] = -u / z;
+      out.H[1][2][l] = -v / z;
+      out.variance[0][l] = out.variance[1][l] =
+          constant_ + growing_ * (x * x + y * y + z * z);
+    }
+    return true;
+  }
+
  private:
   double near_, far_;     // m
   double u_max_, v_max_;  // half the image, normalised

@@ -195,6 +195,42 @@ TEST_P(DeviceContract, ForgetsWhatOutHeldBefore) {
   }
 }
 
+// The faster entry, where there is one, against observe() of each point.
+TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
+  const std::vector<Target> targets = cloud(*device_, 4000);
+  const double nan = std::nan("");
+  for (std::size_t first = 0; first < targets.size(); first += kLanes) {
+    PointLanes points;
+    points.count =
+        static_cast<int>(std::min<std::size_t>(kLanes, targets.size() - first));
+    for (int i = 0; i < 3; ++i) {
+      std::fill_n(points.p[i], kLanes, nan);
+      for (int l = 0; l < points.count; ++l) {
+        points.p[i][l] = targets[first + static_cast<std::size_t>(l)].p_ST(i);
+      }
+    }
+    RowLanes rows;
+    if (!device_->observe_lanes(points, rows)) return;
+    ASSERT_EQ(device_->span(), Span::point);
+    ASSERT_GE(rows.rows, 1);
+    ASSERT_LE(rows.rows, kMaxLaneRows);
+    for (int l = 0; l < points.count; ++l) {
+      Observation one;
+      const Target& target = targets[first + static_cast<std::size_t>(l)];
+      ASSERT_EQ(device_->observe(target, one), rows.seen[l] != 0);
+      if (!rows.seen[l]) continue;
+      ASSERT_EQ(one.z.size(), rows.rows);
+      EXPECT_TRUE(one.R.isDiagonal(0));
+      for (int r = 0; r < rows.rows; ++r) {
+        EXPECT_NEAR(rows.variance[r][l], one.R(r, r), 1e-14 * one.R(r, r));
+        for (int i = 0; i < 3; ++i) {
+          EXPECT_NEAR(rows.H[r][i][l], one.H(r, i), 1e-14 * one.H.row(r).norm());
+        }
+      }
+    }
+  }
+}
+
 TEST_P(DeviceContract, TakesNothingFromTheHeap) {
   const std::vector<Target> targets = cloud(*device_, 1000);
   Observation out;

@@ -41,6 +41,48 @@ void expect_same(const InformationLayers& a, const InformationLayers& b) {
   }
 }
 
+// The two entries of a device, over every state and with markers on lever arms.
+TEST(Layers, LanesGiveWhatSinglePointsGive) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto vector = [&] {
+    return Eigen::Vector3d(uniform(random), uniform(random), uniform(random));
+  };
+  std::vector<TargetPose> poses;
+  for (int i = 0; i < 150; ++i)
+    poses.push_back({rotation_from_rpy(vector()), vector()});
+  for (const PoseState state :
+       {PoseState::position, PoseState::orientation, PoseState::pose}) {
+    const int d = state == PoseState::pose ? 6 : 3;
+    System single, lanes;
+    single.motion = testing::chain_motion(state, 2, CoordinateMatrix::Identity(d, d));
+    single.markers = {{0, 0, 0}, {0.1, -0.2, 0.3}};
+    lanes = single;
+    for (int i = 0; i < 3; ++i) {
+      const double r = i == 2 ? 0 : 0.01, reach = 1.1;  // the last one is perfect
+      const Pose X_WS{rotation_from_rpy(vector()), vector()};
+      single.devices.push_back(testing::place(
+          "s", std::make_shared<testing::TestRange>(r, reach), X_WS, 50));
+      lanes.devices.push_back(testing::place(
+          "s", std::make_shared<testing::TestLaneRange>(r, reach), X_WS, 50));
+    }
+    const InformationLayers a(single, poses), b(lanes, poses);
+    LayerBlock sa, sb;
+    int partly = 0;
+    for (std::size_t i = 0; i < a.block_count(); ++i) {
+      const LayerBlock& x = a.block(i, sa);
+      const LayerBlock& y = b.block(i, sb);
+      EXPECT_EQ(x.seen, y.seen);
+      EXPECT_EQ(x.perfect, y.perfect);
+      for (std::size_t e = 0; e < x.total.size(); ++e) {
+        EXPECT_NEAR(x.total[e], y.total[e], 1e-11);
+      }
+      partly += x.seen[0] != 0 && ~x.seen[0] != 0;
+    }
+    EXPECT_GT(partly, 0);
+  }
+}
+
 TEST(Layers, AMovedDeviceRecomputesOneLayerToTheSameBytes) {
   System system = many_devices();
   InformationLayers layers(system, grid_poses());

@@ -111,6 +111,68 @@ TEST(Lost, RestIsTheSmallerSystem) {
   }
 }
 
+// The same under continuous measurement, far from the time scale of one second. Entries
+// are compared in the units of their own standard deviations.
+TEST(Lost, RestIsTheSmallerContinuousSystem) {
+  Draw draw(5);
+  for (double rate : {1e-24, 1e-8, 1e8, 1e24}) {
+    const Eigen::MatrixXd q = Eigen::Vector3d(1, 2, 3).asDiagonal();
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(3, 3);
+    S.topLeftCorner(2, 2) = rate * draw.spd(2);
+    const auto form = spectral_form(testing::cholesky(q), S);
+    const auto expected = spectral_covariance(form, 3, {true, 0}, kPrior);
+    const auto whole =
+        solve_continuous(continuous_form(testing::chain_model(3, q)), embed(S, 9));
+    ASSERT_EQ(whole.unobservable.cols(), 3);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        EXPECT_LT(relative(whole.prior.block(3 * i, 3 * j, 2, 2),
+                           expected.block(3 * i, 3 * j, 2, 2)),
+                  1e-10);
+  }
+}
+
+// What is lost moves: the state turns by a quarter between the sensors, of which each
+// sees one axis. The direction that is seen each time is a random walk seen by every
+// update; the other is never seen, along y after the first step, along x after the
+// second.
+TEST(Lost, DirectionsFollowTheMotionThroughTheCycle) {
+  MotionStep quarter{StateMatrix(2, 2), StateMatrix::Identity(2, 2)};
+  quarter.A << 0, -1, 1, 0;
+  StateMatrix x = StateMatrix::Zero(2, 2), y = x;
+  x(0, 0) = y(1, 1) = 3;
+  const CycleStep cycle[] = {{quarter, informed(x)}, {quarter, informed(y)}};
+  SteadyState states[2];
+  solve_cycle(cycle, states);
+  const double expected = discrete_chain_variance(1, 1, 3, kPrior);
+  for (int j = 0; j < 2; ++j) {
+    EXPECT_EQ(states[j].status, RiccatiStatus::unobservable);
+    ASSERT_EQ(states[j].unobservable.cols(), 1);
+    EXPECT_NEAR(std::abs(states[j].unobservable(1 - j, 0)), 1, 1e-14);
+    EXPECT_NEAR(states[j].prior(j, j), expected, 1e-14);
+    EXPECT_NEAR(states[j].prior(1 - j, 1 - j), 0, 1e-14);
+  }
+}
+
+// A bias that is seen only through the velocity that it drives, in units twelve decades
+// off: observability is no matter of units.
+TEST(Lost, UnitsDecideNothing) {
+  MotionStep step{StateMatrix::Identity(3, 3), StateMatrix::Zero(3, 3)};
+  step.A(0, 1) = step.A(1, 2) = 0.1;
+  step.Q.diagonal() << 1e-4, 1e-3, 1e-5;
+  StateMatrix S = StateMatrix::Zero(3, 3);
+  S(0, 0) = 100;
+  const SteadyState natural = solve_doubling(step, informed(S));
+  ASSERT_EQ(natural.status, RiccatiStatus::converged);
+  const Eigen::Vector3d D(1, 1e-6, 1e12), inverse = D.cwiseInverse();
+  const MotionStep odd{D.asDiagonal() * step.A * inverse.asDiagonal(),
+                       D.asDiagonal() * step.Q * D.asDiagonal()};
+  const SteadyState s = solve_doubling(odd, informed(S));
+  ASSERT_EQ(s.status, RiccatiStatus::converged);
+  const StateMatrix back = inverse.asDiagonal() * s.prior * inverse.asDiagonal();
+  EXPECT_LT(relative(back, natural.prior), 1e-12);
+}
+
 /// A scalar PV chain, seen or not, with one bias a_b that nothing sees.
 SteadyState with_bias(double decay, double bias_noise, double information) {
   const double dt = 0.1;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "delos/model/lanes.h"
 #include "riccati/long_double.h"
 #include "riccati/systems.h"
 
@@ -171,6 +172,47 @@ TEST_P(Spectral, PoseCovarianceIsTheCorner) {
                       spectral_pose_covariance(f, k, sampling, kind),
                       spectral_covariance(f, k, sampling, kind).topLeftCorner(d, d)),
                   4 * kEps);
+}
+
+// Many poses side by side against each by itself, lost directions among them.
+TEST_P(Spectral, LanesAgreeWithSinglePoses) {
+  const int d = GetParam(), entries = packed_index(d, 0);
+  Draw draw(60 + d);
+  const CoordinateMatrix L = testing::cholesky(draw.spd(d, -1, 1));
+  std::vector<double> S(static_cast<std::size_t>(entries) * kLanes), P(S.size());
+  std::vector<CoordinateMatrix> poses;
+  for (int l = 0; l < kLanes; ++l) {
+    Eigen::MatrixXd at = draw.spd(d, -3, 3);
+    if (l == 5) at.setZero();
+    if (l == 6) at = Eigen::VectorXd::Unit(d, 1) * Eigen::RowVectorXd::Unit(d, 1);
+    if (l == 7) at.setIdentity();
+    poses.emplace_back(at);
+    for (int i = 0; i < d; ++i)
+      for (int j = 0; j <= i; ++j)
+        S[static_cast<std::size_t>(packed_index(i, j) * kLanes + l)] = at(i, j);
+  }
+  for (const Sampling& sampling : {kSampling, Sampling{true, 0}}) {
+    for (int k = 1; k <= 3; ++k) {
+      for (CovarianceKind kind : {CovarianceKind::prior, CovarianceKind::posterior}) {
+        int lost[kLanes];
+        spectral_pose_covariances(L, k, sampling, kind, S.data(), P.data(), lost);
+        for (int l = 0; l < kLanes; ++l) {
+          const SpectralForm form =
+              spectral_form(L, poses[static_cast<std::size_t>(l)]);
+          ASSERT_EQ(lost[l], form.unobservable) << "lane " << l;
+          if (lost[l] > 0) continue;
+          const CoordinateMatrix expected =
+              spectral_pose_covariance(form, k, sampling, kind);
+          // Both form M = LᵀSL, whose rounding reaches the smallest eigenvalue.
+          const double tolerance = 10 * kEps * form.lambda[d - 1] / form.lambda[0];
+          for (int i = 0; i < d; ++i)
+            for (int j = 0; j <= i; ++j)
+              ASSERT_NEAR(P[static_cast<std::size_t>(packed_index(i, j) * kLanes + l)],
+                          expected(i, j), tolerance * expected.norm());
+        }
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Coordinates, Spectral, ::testing::Values(2, 3, 6));

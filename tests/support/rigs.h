@@ -14,7 +14,7 @@
 namespace delos::testing {
 
 /// z = ‖p‖ with R = r·z², the papers' acoustic law; blind beyond `reach`.
-class TestRange final : public Device {
+class TestRange : public Device {
  public:
   explicit TestRange(double r, double reach = 1e9) : r_(r), reach_(reach) {}
   bool observe(const Target& target, Observation& out) const override {
@@ -26,8 +26,25 @@ class TestRange final : public Device {
     return true;
   }
 
- private:
+ protected:
   double r_, reach_;
+};
+
+/// The same with the entry for many points.
+class TestLaneRange final : public TestRange {
+ public:
+  using TestRange::TestRange;
+  bool observe_lanes(const PointLanes& points, RowLanes& out) const override {
+    out.rows = 1;
+    for (int l = 0; l < kLanes; ++l) {
+      const Eigen::Vector3d p(points.p[0][l], points.p[1][l], points.p[2][l]);
+      const double range = p.norm();
+      out.seen[l] = range > 0 && range <= reach_;
+      for (int i = 0; i < 3; ++i) out.H[0][i][l] = p(i) / range;
+      out.variance[0][l] = r_ * range * range;
+    }
+    return true;
+  }
 };
 
 /// A given H and R over any span, the same everywhere.

@@ -10,7 +10,7 @@
 namespace delos {
 
 /// Raised by one whenever a type in this contract changes shape or meaning.
-inline constexpr std::uint32_t kAbiEpoch = 1;
+inline constexpr std::uint32_t kAbiEpoch = 2;
 
 /// What two binaries must agree on before a C++ object may pass between them.
 /// Fixed-width fields only; new ones go at the end; the first two never move.
@@ -45,31 +45,32 @@ constexpr AbiStamp this_abi() {
 
 /// What a plugin library says of itself. Static storage, owned by the plugin.
 struct PluginInfo {
-  AbiStamp abi;             ///< First, always: checked before all else.
-  const char* id;           ///< snake_case: the `type:` of a scene entry and the file's name
+  AbiStamp abi;    ///< First, always: checked before all else.
+  const char* id;  ///< snake_case: the `type:` of a scene entry and the file's name
   const char* version;      ///< MAJOR.MINOR.PATCH of this plugin
   const char* summary;      ///< one sentence
   const ParamSpec* params;  ///< n_params rows
   std::uint32_t n_params;
-  Device* (*create)(const ParamValues&);  ///< may throw std::exception: values that clash
+  Device* (*create)(
+      const ParamValues&);  ///< may throw std::exception: values that clash
   void (*destroy)(Device*);
 };
 
 }  // namespace delos
 
-/// Closes a device plugin. Class needs a static constexpr array kParams of ParamSpec and a
-/// constructor from delos::ParamValues.
-#define DELOS_DEVICE_PLUGIN(Class, Id, Version, Summary)                                  \
-  extern "C" DELOS_API const delos::PluginInfo* delos_plugin() {                          \
-    static constexpr delos::PluginInfo info{                                              \
-        delos::this_abi(),                                                                \
-        Id,                                                                               \
-        Version,                                                                          \
-        Summary,                                                                          \
-        Class::kParams,                                                                   \
-        static_cast<std::uint32_t>(std::size(Class::kParams)),                            \
-        [](const delos::ParamValues& p) -> delos::Device* { return new Class(p); },       \
-        [](delos::Device* d) { delete d; }};                                              \
-    return &info;                                                                         \
-  }                                                                                       \
+/// Closes a device plugin. Class needs a static constexpr array kParams of ParamSpec
+/// and a constructor from delos::ParamValues.
+#define DELOS_DEVICE_PLUGIN(Class, Id, Version, Summary)                            \
+  extern "C" DELOS_API const delos::PluginInfo* delos_plugin() {                    \
+    static constexpr delos::PluginInfo info{                                        \
+        delos::this_abi(),                                                          \
+        Id,                                                                         \
+        Version,                                                                    \
+        Summary,                                                                    \
+        Class::kParams,                                                             \
+        static_cast<std::uint32_t>(std::size(Class::kParams)),                      \
+        [](const delos::ParamValues& p) -> delos::Device* { return new Class(p); }, \
+        [](delos::Device* d) { delete d; }};                                        \
+    return &info;                                                                   \
+  }                                                                                 \
   static_assert(true, "swallow the semicolon")

@@ -6,4 +6,6 @@ namespace delos {
 // the kernel's library, whatever plugins are open.
 Device::~Device() = default;
 
+bool Device::observe_lanes(const PointLanes&, RowLanes&) const { return false; }
+
 }  // namespace delos

@@ -34,38 +34,28 @@ class BlockEvaluator {
 
   /// Values of all poses of a block.
   void operator()(const LayerBlock& block, const TargetPose* poses, PoseValue* values) {
-    if (solver_.solver() == Solver::spectral) {
-      solver_.reduce(block, {forms_.data(), static_cast<std::size_t>(block.lanes)});
+    const bool in_lanes =
+        solver_.solver() == Solver::spectral && need_ <= MetricNeed::pose_block;
+    if (in_lanes) {
+      solver_.pose_covariances(block, system_.covariance, P_.data(), lost_);
+      if (need_ == MetricNeed::pose_block) {
+        pose_metrics(metric_, system_.motion.layout, P_.data(), value_);
+      }
     }
     for (int lane = 0; lane < block.lanes; ++lane) {
-      values[lane] = solver_.spectral(block, lane)
-                         ? reduced_value(forms_[static_cast<std::size_t>(lane)])
-                         : general_value(block, lane, poses[lane]);
+      // The rest of a pose that has lost directions needs more care.
+      const bool done = in_lanes && solver_.spectral(block, lane) &&
+                        (lost_[lane] == 0 || need_ == MetricNeed::nothing);
+      values[lane] = done ? PoseValue{value_[lane], lost_[lane] == 0}
+                          : solved_value(block, lane, poses[lane]);
       if (need_ == MetricNeed::nothing) values[lane].value = coverage(block, lane);
     }
   }
 
  private:
-  PoseValue reduced_value(const SpectralForm& form) {
-    const StateLayout& layout = system_.motion.layout;
-    const bool observable = form.unobservable == 0;
-    if (need_ == MetricNeed::nothing) return {0, observable};
-    if (need_ == MetricNeed::pose_block && observable) {
-      const CoordinateMatrix P = spectral_pose_covariance(
-          form, layout.order, solver_.sampling(), system_.covariance);
-      return {pose_metric(metric_, layout, P), true};
-    }
-    solver_.solve(form, need_ == MetricNeed::time_constant, state_);
-    return value_of_state();
-  }
-
-  PoseValue general_value(const LayerBlock& block, int lane, const TargetPose& pose) {
+  PoseValue solved_value(const LayerBlock& block, int lane, const TargetPose& pose) {
     solver_.solve(block, lane, pose, need_ == MetricNeed::time_constant, scratch_,
                   state_);
-    return value_of_state();
-  }
-
-  PoseValue value_of_state() const {
     const double value =
         state_metric(metric_, system_.motion.layout, state_, system_.covariance);
     return {std::isfinite(value) ? value : kInfinity,
@@ -83,7 +73,10 @@ class BlockEvaluator {
   const Metric& metric_;
   MetricNeed need_;
   FusionSolver::Scratch scratch_;
-  std::vector<SpectralForm> forms_ = std::vector<SpectralForm>(kLanes);
+  std::vector<double> P_ = std::vector<double>(
+      static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes);
+  double value_[kLanes] = {};
+  int lost_[kLanes] = {};
   FusedState state_;
 };
 

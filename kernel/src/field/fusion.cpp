@@ -167,13 +167,14 @@ double FusionSolver::residual(const LayerBlock& block, int lane,
   return riccati_residual(step_, m, state.prior);
 }
 
-void FusionSolver::reduce(const LayerBlock& block,
-                          std::span<SpectralForm> forms) const {
-  spectral_forms(L_, block.total.data(), kLanes, forms);
+void FusionSolver::pose_covariances(const LayerBlock& block, CovarianceKind kind,
+                                    double* P, int* lost) const {
+  spectral_pose_covariances(L_, system_.motion.layout.order, sampling_, kind,
+                            block.total.data(), P, lost);
 }
 
-void FusionSolver::solve(const SpectralForm& form, bool with_time_constant,
-                         FusedState& out) const {
+void FusionSolver::solve_spectral(const SpectralForm& form, bool with_time_constant,
+                                  FusedState& out) const {
   const int order = system_.motion.layout.order;
   const int d = system_.motion.layout.coordinates();
   out.prior = spectral_covariance(form, order, sampling_, CovarianceKind::prior);
@@ -199,13 +200,18 @@ void FusionSolver::solve(const SpectralForm& form, bool with_time_constant,
           : discrete_chain_time_constant(order, sampling_.dt, form.lambda(0));
 }
 
+void FusionSolver::solve_rows(const Eigen::Ref<const Eigen::MatrixXd>& rows,
+                              bool with_time_constant, FusedState& out) const {
+  solve_spectral(spectral_form_of_rows(L_, rows), with_time_constant, out);
+}
+
 void FusionSolver::solve(const LayerBlock& block, int lane, const TargetPose& pose,
                          bool with_time_constant, Scratch& scratch,
                          FusedState& out) const {
   if (spectral(block, lane)) {
-    SpectralForm form;
-    spectral_forms(L_, block.total.data() + lane, kLanes, {&form, 1});
-    solve(form, with_time_constant, out);
+    StateMatrix S;
+    unpack(block.total.data(), lane, columns_, columns_, S);
+    solve_spectral(spectral_form(L_, S), with_time_constant, out);
     return;
   }
   // Rows without noise have no place in a layer: read them again, for the devices that
@@ -333,7 +339,7 @@ void FusionSolver::solve_continuous_exact(const Measurement& m, bool with_time_c
     form.LU.leftCols(rest) = LW * inner.LU;
     form.unobservable = inner.unobservable;
   }
-  solve(form, with_time_constant, out);
+  solve_spectral(form, with_time_constant, out);
 }
 
 void FusionSolver::solve_over_cycle(bool with_time_constant, Scratch& scratch,

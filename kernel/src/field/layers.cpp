@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "field/measure.h"
+#include "field/point_lanes.h"
 
 namespace delos {
 namespace {
@@ -131,10 +132,19 @@ void InformationLayers::observe(std::size_t b, std::size_t device,
   double* layer =
       block.layers.data() + device * static_cast<std::size_t>(packed_) * kLanes;
   std::fill_n(layer, static_cast<std::size_t>(packed_) * kLanes, 0.0);
+  const std::size_t first = b * kLanes, lanes = static_cast<std::size_t>(block.lanes);
+  SeenLanes known;
+  if (placed.device->span() == Span::point &&
+      add_point_information(system_, placed, {poses_.data() + first, lanes}, layer,
+                            known)) {
+    block.seen[device] = known.seen;
+    block.perfect[device] = known.perfect;
+    return;
+  }
   std::uint64_t seen = 0, perfect = 0;
   MeasureScratch scratch;
   for (int lane = 0; lane < block.lanes; ++lane) {
-    const TargetPose& X_WT = poses_[b * kLanes + static_cast<std::size_t>(lane)];
+    const TargetPose& X_WT = poses_[first + static_cast<std::size_t>(lane)];
     const std::uint64_t bit = std::uint64_t{1} << lane;
     const auto noisy = [&](const auto& row, double variance) {
       const double weight = 1 / variance;

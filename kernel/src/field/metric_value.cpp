@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "riccati/jacobi.h"
+#include "field/largest_eigenvalue.h"
 
 namespace delos {
 namespace {
@@ -16,26 +16,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// First row of the metric's 3×3 block within the pose.
 int block_start(MetricKind kind, const StateLayout& layout) {
   return kind == MetricKind::sigma_orientation ? layout.positions() : 0;
-}
-
-/// Largest eigenvalue of a symmetric 3×3 matrix ≥ 0, from its characteristic
-/// polynomial:
-///
-///     λmax = m + 2 √p cos(φ/3),  m = tr P/3,  p = ‖P − m I‖²/6,  cos φ = det(P − m
-///     I)/(2 p^(3/2))
-///
-/// A sum of two terms ≥ 0. φ loses digits as cos φ → −1, where the two largest
-/// eigenvalues meet: Jacobi rotations take over there. Source: Smith (1961), Commun.
-/// ACM 4(4), 168, doi:10.1145/355578.366316.
-double largest_eigenvalue(const Eigen::Matrix3d& P) {
-  const double m = P.trace() / 3;
-  Eigen::Matrix3d rest = P;
-  rest.diagonal().array() -= m;
-  const double p = rest.squaredNorm() / 6;
-  if (!(p > 0)) return m;
-  const double cosine = rest.determinant() / (2 * p * std::sqrt(p));
-  if (cosine < -0.999999) return riccati::jacobi_eigen<3>(P).lambda(2);
-  return m + 2 * std::sqrt(p) * std::cos(std::acos(std::min(cosine, 1.0)) / 3);
 }
 
 double block_metric(MetricKind kind, const Eigen::Matrix3d& P) {
@@ -89,11 +69,29 @@ MetricNeed need_of(const Metric& metric, const StateLayout& layout) {
   }
 }
 
-double pose_metric(const Metric& metric, const StateLayout& layout,
-                   const CoordinateMatrix& P) {
-  if (metric.kind == MetricKind::sigma) return std::sqrt(P(metric.state, metric.state));
-  const int start = block_start(metric.kind, layout);
-  return block_metric(metric.kind, P.block<3, 3>(start, start));
+void pose_metrics(const Metric& metric, const StateLayout& layout, const double* P,
+                  double* values) {
+  const auto row = [P](int i, int j) { return P + packed_index(i, j) * kLanes; };
+  if (metric.kind == MetricKind::sigma) {
+    const double* variance = row(metric.state, metric.state);
+    for (int l = 0; l < kLanes; ++l) values[l] = std::sqrt(variance[l]);
+    return;
+  }
+  const int s = block_start(metric.kind, layout);
+  const double* block[6] = {row(s, s),     row(s + 1, s),     row(s + 1, s + 1),
+                            row(s + 2, s), row(s + 2, s + 1), row(s + 2, s + 2)};
+  if (metric.kind == MetricKind::eigmax) {
+    largest_eigenvalues(block, values);
+    for (int l = 0; l < kLanes; ++l) values[l] = std::sqrt(values[l]);
+    return;
+  }
+  for (int l = 0; l < kLanes; ++l) {
+    Eigen::Matrix3d at;
+    at << block[0][l], block[1][l], block[3][l],  //
+        block[1][l], block[2][l], block[4][l],    //
+        block[3][l], block[4][l], block[5][l];
+    values[l] = block_metric(metric.kind, at);
+  }
 }
 
 double state_metric(const Metric& metric, const StateLayout& layout,

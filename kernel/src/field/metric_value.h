@@ -18,11 +18,12 @@ enum class MetricNeed {
 [[nodiscard]] DELOS_API MetricNeed need_of(const Metric& metric,
                                            const StateLayout& layout);
 
-/// A metric of the pose covariance alone, d×d.
+/// A metric of kLanes pose covariances alone.
+/// @param P d×d each, packed as model/lanes.h says
+/// @param[out] values kLanes numbers
 /// @pre need_of(metric) == MetricNeed::pose_block
-[[nodiscard]] DELOS_API double pose_metric(const Metric& metric,
-                                           const StateLayout& layout,
-                                           const CoordinateMatrix& P);
+DELOS_API void pose_metrics(const Metric& metric, const StateLayout& layout,
+                            const double* P, double* values);
 
 /// Any metric but coverage of a state. +∞ where it reads a direction that isn't
 /// observed.

@@ -77,8 +77,7 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
                                                         : fusion.solver();
   if (report.careful) {
     const Eigen::MatrixXd rows = weighted_rows(system, whitened_rows(system, pose));
-    fusion.solve(spectral_form_of_rows(fusion.noise_factor(), rows), true,
-                 report.state);
+    fusion.solve_rows(rows, true, report.state);
   } else {
     fusion.solve(block, 0, pose, true, scratch, report.state);
   }

@@ -31,8 +31,7 @@ double mean_pole(const MotionStep& motion, const StateMatrix& S) {
   return std::isfinite(mean) && mean > 1e-30 ? mean : 1.0;
 }
 
-/// One Euler step of 1/γ: what balance() and lost_directions() need to know of dx/dt =
-/// F x.
+/// One Euler step of 1/γ: what balance() and lost_directions() need of dx/dt = F x.
 CycleStep euler(const MotionStep& motion, const StateMatrix& S, double gamma) {
   const Eigen::Index n = S.rows();
   return {{StateMatrix::Identity(n, n) + motion.A / gamma, motion.Q / gamma},
@@ -69,31 +68,24 @@ SteadyState solve_continuous(const MotionStep& continuous,
       information_rate.cols() != n)
     std::abort();
 
-  const StateMatrix &S = information_rate, none(0, n);
-  // Balance, and take the lost directions out. The first guess of the time scale takes
-  // S as diagonal, which is regular where only directions in general position are lost;
-  // once these are known, what is left says better.
-  double gamma = mean_pole(continuous, S.diagonal().asDiagonal());
-  StateVector D;
-  StateMatrix lost, V;
-  CycleStep left;
-  for (int pass = 0; pass < 2; ++pass) {
-    std::array<CycleStep, 1> step{euler(continuous, S, gamma)};
-    D = balance(step);
-    step[0] = scaled(step[0], D);
-    lost = lost_directions(step, Stability::continuous);
-    V = complement(lost);
-    left = scaled({continuous, {S, none}}, D);
-    if (lost.cols() > 0) left = quotient(left, V, V);
-    if (V.cols() == 0) break;
-    gamma = mean_pole(left.motion, left.measurement.information);
-    if (lost.cols() == 0) break;
-  }
+  // Balance, and take the lost directions out. The time scale for this takes S as
+  // diagonal, which is regular where directions in general position are lost.
+  const StateMatrix& S = information_rate;
+  const double scale = mean_pole(continuous, S.diagonal().asDiagonal());
+  std::array<CycleStep, 1> step{euler(continuous, S, scale)};
+  const StateVector D = balance(step);
+  step[0] = scaled(step[0], D);
+  const StateMatrix lost = lost_directions(step, Stability::continuous);
+  const StateMatrix V = complement(lost);
+  CycleStep left = scaled({continuous, {S, StateMatrix(0, n)}}, D);
+  if (lost.cols() > 0) left = quotient(left, V, V);
 
   SteadyState state;
   FixedPoint point{StateMatrix(0, 0), 0, true};
-  if (V.cols() > 0)
-    point = fixed_point(cayley(left.motion, left.measurement.information, gamma));
+  if (V.cols() > 0) {
+    const StateMatrix& rate = left.measurement.information;
+    point = fixed_point(cayley(left.motion, rate, mean_pole(left.motion, rate)));
+  }
   const StateMatrix X = D.asDiagonal() * V;
   state.doublings = point.doublings;
   state.status = !point.settled     ? RiccatiStatus::iteration_limit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "delos/riccati/spectral.h"
 
@@ -16,6 +17,12 @@ template <int kSize>
 Eigen::Map<const Square<kSize>> fixed(const CoordinateMatrix& m) {
   return Eigen::Map<const Square<kSize>>(m.data());
 }
+
+/// Eigenvalues up to this part of the largest count as lost: below it, they are the
+/// rounding of the sum that formed S, not information.
+template <int kSize>
+inline constexpr double kLeastEigenvalue =
+    16 * kSize* std::numeric_limits<double>::epsilon();
 
 /// The columns of L U, with those behind the lost ones projected orthogonally to the
 /// lost.

@@ -15,6 +15,9 @@
 
 namespace delos::riccati {
 
+/// Six sweeps are the most ever seen; this many stop NaNs.
+inline constexpr int kMaxSweeps = 30;
+
 /// M = U diag(λ) Uᵀ, λ ascending.
 template <int kSize>
 struct JacobiResult {
@@ -105,7 +108,6 @@ template <int kSize>
 void jacobi_diagonalize(Eigen::Matrix<double, kSize, kSize>& M,
                         Eigen::Matrix<double, kSize, kSize>& U) {
   constexpr double kEps = std::numeric_limits<double>::epsilon();
-  constexpr int kMaxSweeps = 30;  // six is the most ever seen; 30 stops NaNs
   constexpr static auto kOrder = rotation_order<kSize>();
   // Far below any eigenvalue that is used.
   const double floor = kEps * kEps * M.diagonal().cwiseAbs().maxCoeff();

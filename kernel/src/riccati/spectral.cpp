@@ -1,8 +1,6 @@
 // The exact spectral reduction: forms and covariances.
 #include "delos/riccati/spectral.h"
 
-#include <limits>
-
 #include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
@@ -17,7 +15,6 @@ using riccati::Square;
 
 template <int kSize>
 SpectralForm reduce(const CoordinateMatrix& L, const CoordinateMatrix& S) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
   const auto factor = fixed<kSize>(L);
   const Square<kSize> M = factor.transpose() * (fixed<kSize>(S) * factor).eval();
   const auto eigen = riccati::jacobi_eigen<kSize>(M);
@@ -25,7 +22,7 @@ SpectralForm reduce(const CoordinateMatrix& L, const CoordinateMatrix& S) {
   SpectralForm form;
   form.lambda = eigen.lambda;
   form.LU = factor * eigen.U;
-  const double least = 16 * kSize * kEps * eigen.lambda[kSize - 1];
+  const double least = riccati::kLeastEigenvalue<kSize> * eigen.lambda[kSize - 1];
   // "not above" also takes S = 0, and a matrix of NaNs.
   while (form.unobservable < kSize && !(form.lambda[form.unobservable] > least))
     form.lambda[form.unobservable++] = 0;

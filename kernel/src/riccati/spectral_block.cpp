@@ -1,8 +1,12 @@
-// Spectral forms of neighbouring poses.
+// Pose covariances of many poses side by side: every step is a loop over kLanes poses
+// without branches, which the compiler turns into vector instructions.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "delos/riccati/spectral.h"
+#include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
 #include "riccati/jacobi.h"
@@ -10,49 +14,142 @@
 namespace delos {
 namespace {
 
-using riccati::fixed;
-using riccati::JacobiResult;
 using riccati::Square;
 
+/// M = LᵀSL on its way to Λ, and V = L on its way to L U.
 template <int kSize>
-void reduce_block(const CoordinateMatrix& L, const double* packed, std::size_t stride,
-                  std::span<SpectralForm> forms) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
-  const Square<kSize> factor = fixed<kSize>(L);
-  // λ and V = L U of the pose before; M = Vᵀ S V is nearly diagonal already. Rotations
-  // keep V within 64·ε of L times an orthogonal matrix over a block.
-  JacobiResult<kSize> r;
-  r.U = factor;
-  for (std::size_t l = 0; l < forms.size(); ++l) {
-    Square<kSize> S;
-    const double* element = packed + l;
-    for (int i = 0; i < kSize; ++i) {
-      for (int j = 0; j <= i; ++j, element += stride) S(i, j) = S(j, i) = *element;
-    }
-    Square<kSize> M = r.U.transpose() * (S * r.U).eval();
-    riccati::jacobi_diagonalize<kSize>(M, r.U);
-    r.lambda = M.diagonal();
-    riccati::sort_ascending(r);
+struct Lanes {
+  alignas(64) double M[kSize * (kSize + 1) / 2][kLanes];
+  alignas(64) double V[kSize][kSize][kLanes];  ///< [row][column]
+  alignas(64) double floor[kLanes];            ///< entries below it count as zero
 
-    SpectralForm& form = forms[l];
-    form.lambda = r.lambda;
-    form.LU = r.U;
-    form.unobservable = 0;
-    const double least = 16 * kSize * kEps * r.lambda[kSize - 1];
-    // "not above" also takes S = 0, and a matrix of NaNs.
-    while (form.unobservable < kSize && !(form.lambda[form.unobservable] > least)) {
-      form.lambda[form.unobservable++] = 0;
+  double* m(int i, int j) { return M[packed_index(std::max(i, j), std::min(i, j))]; }
+};
+
+template <int kSize>
+void form(const CoordinateMatrix& L, const double* S, Lanes<kSize>& at) {
+  constexpr double kEps = std::numeric_limits<double>::epsilon();
+  double SL[kSize][kLanes];  // one column of S·L
+  for (int j = 0; j < kSize; ++j) {
+    for (int i = 0; i < kSize; ++i) {
+      std::fill_n(SL[i], kLanes, 0.0);
+      std::fill_n(at.V[i][j], kLanes, L(i, j));
+      for (int k = j; k < kSize; ++k) {  // L is lower triangular
+        const double* s = S + packed_index(std::max(i, k), std::min(i, k)) * kLanes;
+        for (int l = 0; l < kLanes; ++l) SL[i][l] += s[l] * L(k, j);
+      }
     }
-    if (!r.U.allFinite()) r.U = factor;
+    for (int i = 0; i <= j; ++i) {
+      double* m = at.m(i, j);
+      std::fill_n(m, kLanes, 0.0);
+      for (int k = i; k < kSize; ++k) {
+        for (int l = 0; l < kLanes; ++l) m[l] += L(k, i) * SL[k][l];
+      }
+    }
+  }
+  std::fill_n(at.floor, kLanes, 0.0);
+  for (int i = 0; i < kSize; ++i) {
+    const double* m = at.m(i, i);
+    for (int l = 0; l < kLanes; ++l) {
+      at.floor[l] = std::max(at.floor[l], kEps * kEps * std::abs(m[l]));
+    }
+  }
+}
+
+/// jacobi_rotate() of all lanes.
+/// @returns whether any rotated
+template <int p, int q, int kSize>
+bool rotate(Lanes<kSize>& at) {
+  constexpr double kEps = std::numeric_limits<double>::epsilon();
+  double *mpp = at.m(p, p), *mqq = at.m(q, q), *mpq = at.m(p, q);
+  double c[kLanes], s[kLanes], turned[kLanes];
+  for (int l = 0; l < kLanes; ++l) {
+    const double x = mpq[l], mp = mpp[l], mq = mqq[l];
+    const bool needed =
+        (x * x > kEps * kEps * std::abs(mp * mq)) & (std::abs(x) > at.floor[l]);
+    const double h = mq - mp, y = 2 * x;
+    const double u = h + std::copysign(std::sqrt(h * h + y * y), h);
+    const double t = needed ? y / u : 0.0;
+    c[l] = 1 / std::sqrt(1 + t * t);
+    s[l] = t * c[l];
+    mpp[l] = mp - t * x;
+    mqq[l] = mq + t * x;
+    mpq[l] = needed ? 0.0 : x;
+    turned[l] = needed ? 1.0 : 0.0;
+  }
+  if (std::none_of(turned, turned + kLanes, [](double t) { return t > 0; }))
+    return false;
+  const auto turn = [&](double* a, double* b) {
+    for (int l = 0; l < kLanes; ++l) {
+      const double old = a[l];
+      a[l] = c[l] * old - s[l] * b[l];
+      b[l] = s[l] * old + c[l] * b[l];
+    }
+  };
+  for (int i = 0; i < kSize; ++i) {
+    if (i != p && i != q) turn(at.m(i, p), at.m(i, q));
+    turn(at.V[i][p], at.V[i][q]);
+  }
+  return true;
+}
+
+template <int kSize>
+void diagonalize(Lanes<kSize>& at) {
+  constexpr static auto kOrder = riccati::rotation_order<kSize>();
+  for (int sweep = 0; sweep < riccati::kMaxSweeps; ++sweep) {
+    const int rotations = [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return (0 + ... + rotate<kOrder[i].first, kOrder[i].second>(at));
+    }
+    (std::make_index_sequence<kOrder.size()>{});
+    if (rotations == 0) break;
+  }
+}
+
+// P_p = Σ_a f(λ_a) v_a v_aᵀ with v_a the columns of L U.
+template <int kSize, int kOrder>
+void covariances(const CoordinateMatrix& L, const Sampling& sampling,
+                 CovarianceKind kind, const double* S, double* P, int* lost) {
+  Lanes<kSize> at;
+  form(L, S, at);
+  diagonalize(at);
+
+  double largest[kLanes] = {};
+  for (int a = 0; a < kSize; ++a) {
+    const double* lambda = at.m(a, a);
+    for (int l = 0; l < kLanes; ++l) largest[l] = std::max(largest[l], lambda[l]);
+  }
+  std::fill_n(lost, kLanes, 0);
+  std::fill_n(P, kSize * (kSize + 1) / 2 * kLanes, 0.0);
+  for (int a = 0; a < kSize; ++a) {
+    const double* lambda = at.m(a, a);
+    double f[kLanes];
+    for (int l = 0; l < kLanes; ++l) {
+      f[l] = riccati::chain_values<kOrder, false>(sampling, lambda[l], kind).value[0];
+    }
+    for (int l = 0; l < kLanes; ++l) {
+      // "not above" also takes S = 0, and a matrix of NaNs.
+      if (!(lambda[l] > riccati::kLeastEigenvalue<kSize> * largest[l])) ++lost[l];
+    }
+    for (int i = 0; i < kSize; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        const double *vi = at.V[i][a], *vj = at.V[j][a];
+        double* out = P + packed_index(i, j) * kLanes;
+        for (int l = 0; l < kLanes; ++l) out[l] += f[l] * vi[l] * vj[l];
+      }
+    }
   }
 }
 
 }  // namespace
 
-void spectral_forms(const CoordinateMatrix& L, const double* packed, std::size_t stride,
-                    std::span<SpectralForm> forms) {
-  riccati::with_coordinates(
-      L.rows(), [&]<int kSize>() { reduce_block<kSize>(L, packed, stride, forms); });
+void spectral_pose_covariances(const CoordinateMatrix& L, int order,
+                               const Sampling& sampling, CovarianceKind kind,
+                               const double* S, double* P, int* lost) {
+  riccati::with_coordinates(L.rows(), [&]<int kSize>() {
+    riccati::with_order(order, [&]<int kOrder>() {
+      covariances<kSize, kOrder>(L, sampling, kind, S, P, lost);
+    });
+  });
 }
 
 }  // namespace delos

@@ -72,7 +72,7 @@ SpectralForm reduce_rows(const CoordinateMatrix& L,
   riccati::sort_ascending(r);
 
   SpectralForm form;
-  const double least = 16 * kSize * kEps * r.lambda[kSize - 1];
+  const double least = riccati::kLeastEigenvalue<kSize> * r.lambda[kSize - 1];
   while (form.unobservable < kSize && !(r.lambda[form.unobservable] > least))
     r.lambda[form.unobservable++] = 0;
   for (int a = form.unobservable; a < kSize; ++a) r.U.col(a) /= r.lambda[a];

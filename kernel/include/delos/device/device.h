@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "delos/api.h"
+#include "delos/model/lanes.h"
 #include "delos/model/state.h"
 
 namespace delos {
@@ -13,10 +14,11 @@ inline constexpr int kMaxRows = 30;
 
 /// What a device's readings depend on: the columns of its Jacobian.
 enum class Span {
-  point,   ///< 3: the position of a point, δp. The kernel knows how it moves with the pose.
-  pose,    ///< 6: the target's pose, [δp, δθ]
+  point,  ///< 3: the position of a point, δp. The kernel knows how it moves with the
+          ///< pose.
+  pose,   ///< 6: the target's pose, [δp, δθ]
   motion,  ///< 18: pose, its velocity and acceleration, [δp, δθ, δv, δω, δa, δα]
-  state,   ///< n: the filter's state itself, in the order of StateLayout::names()
+  state,  ///< n: the filter's state itself, in the order of StateLayout::names()
 };
 
 /// The thing being tracked, as one device sees it.
@@ -29,26 +31,46 @@ struct Target {
   Eigen::Matrix<double, 6, 1> velocity = Eigen::Matrix<double, 6, 1>::Zero();
   /// [a, α] in S, m/s² and rad/s². Zero in fields.
   Eigen::Matrix<double, 6, 1> acceleration = Eigen::Matrix<double, 6, 1>::Zero();
-  /// Deviation of the whole state from the point of linearisation, n×1, SI. Zero in fields;
-  /// the contract test moves it.
+  /// Deviation of the whole state from the point of linearisation, n×1, SI. Zero in
+  /// fields; the contract test moves it.
   StateVector state;
 };
 
 /// What a device measures of a target, linearised there. Stored inline.
 struct Observation {
-  /// The noiseless reading, m×1, measurement units. The filter never needs it; the contract
-  /// test does, to check H against differences.
+  /// The noiseless reading, m×1, measurement units. The filter never needs it; the
+  /// contract test does, to check H against differences.
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRows, 1> z;
   /// Jacobian ∂z/∂(the columns of Span), m×c, in the device's frame S.
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, kMaxState>
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows,
+                kMaxState>
       H;
   /// Covariance of z, m×m, symmetric ≥ 0, measurement units squared. Singular: perfect.
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows, kMaxRows>
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows,
+                kMaxRows>
       R;
 };
 
-/// A sensor or beacon. Knows its own frame S and nothing of the world: the kernel places it,
-/// tests the line of sight and turns H into the world frame.
+/// Up to kLanes points in a device's frame S.
+struct PointLanes {
+  int count = 0;        ///< how many of them are asked for; the rest hold any number
+  double p[3][kLanes];  ///< x, y, z, metres
+};
+
+/// Most rows that a device may report of many points at once.
+inline constexpr int kMaxLaneRows = 3;
+
+/// What a device measures of up to kLanes points: rows of independent noise.
+struct RowLanes {
+  int rows = 0;  ///< of every point
+  /// 1: the point is seen; 0: it isn't, and what stands below is never read.
+  double seen[kLanes];
+  double H[kMaxLaneRows][3][kLanes];      ///< Jacobian with respect to the point, in S
+  double variance[kMaxLaneRows][kLanes];  ///< of each row's noise; 0: perfect
+};
+
+/// A sensor or beacon. Knows its own frame S and nothing of the world: the kernel
+/// places it, tests the line of sight and turns H into the world frame.
 ///
 /// Instances are immutable; observe() is called from many threads at once.
 class DELOS_API Device {
@@ -63,6 +85,13 @@ class DELOS_API Device {
   /// Linearise the measurement of the target.
   /// @returns false when it is out of reach or view; `out` is then unspecified.
   [[nodiscard]] virtual bool observe(const Target& target, Observation& out) const = 0;
+
+  /// The same for many points at once: a faster way, for Span::point, of rows whose
+  /// noise is independent. Best written as loops over all kLanes, which compilers turn
+  /// into vector instructions.
+  /// @returns false where the device has no such way, as here: observe() is asked then.
+  [[nodiscard]] virtual bool observe_lanes(const PointLanes& points,
+                                           RowLanes& out) const;
 };
 
 }  // namespace delos

@@ -64,20 +64,22 @@ class DELOS_API FusionSolver {
   /// True where lane() of the block can be reduced to scalar chains.
   [[nodiscard]] bool spectral(const LayerBlock& block, int lane) const;
 
-  /// Reduced forms of all lanes, good for those that are spectral(block, lane).
-  /// @pre solver() == Solver::spectral, forms.size() == block.lanes
-  void reduce(const LayerBlock& block, std::span<SpectralForm> forms) const;
-  [[nodiscard]] const Sampling& sampling() const { return sampling_; }
-  /// L with q = L Lᵀ, d×d. @pre the motion is a chain
-  [[nodiscard]] const CoordinateMatrix& noise_factor() const { return L_; }
+  /// Covariances of the pose at all lanes, as spectral_pose_covariances(): good for
+  /// those that are spectral(block, lane).
+  /// @pre solver() == Solver::spectral
+  void pose_covariances(const LayerBlock& block, CovarianceKind kind, double* P,
+                        int* lost) const;
 
   /// Steady state of a lane.
   /// @param pose the lane's pose, read again only where rows are perfect
   void solve(const LayerBlock& block, int lane, const TargetPose& pose,
              bool with_time_constant, Scratch& scratch, FusedState& out) const;
 
-  /// Steady state of a reduced form. @pre the form is of this system
-  void solve(const SpectralForm& form, bool with_time_constant, FusedState& out) const;
+  /// Steady state from weighted whitened rows, m×d: spectral_form_of_rows(). Keeps
+  /// twice the digits of a lane.
+  /// @pre solver() == Solver::spectral, no row is perfect
+  void solve_rows(const Eigen::Ref<const Eigen::MatrixXd>& rows,
+                  bool with_time_constant, FusedState& out) const;
 
   /// riccati_residual() of a lane's prior; NaN where rows are perfect.
   /// @pre stacked fusion, state.status == converged
@@ -85,6 +87,8 @@ class DELOS_API FusionSolver {
                                 const FusedState& state) const;
 
  private:
+  void solve_spectral(const SpectralForm& form, bool with_time_constant,
+                      FusedState& out) const;
   void solve_general(const LayerBlock& block, int lane, bool with_time_constant,
                      Scratch& scratch, FusedState& out) const;
   void solve_continuous_exact(const Measurement& measurement, bool with_time_constant,

@@ -8,18 +8,11 @@
 
 #include "delos/api.h"
 #include "delos/field/system.h"
+#include "delos/model/lanes.h"
 
 namespace delos {
 
-/// Poses are handled this many at a time: one bit a pose in a 64-bit word.
-inline constexpr int kLanes = 64;
-
-/// Index of element (i, j), i ≥ j, of a symmetric matrix stored by its lower triangle,
-/// row after row.
-[[nodiscard]] constexpr int packed_index(int i, int j) { return i * (i + 1) / 2 + j; }
-
-/// What the devices know at up to 64 poses. Element e of the packed information of lane
-/// l stands at [e·kLanes + l].
+/// What the devices know at up to kLanes poses, packed as model/lanes.h says.
 struct LayerBlock {
   int lanes = 0;                    ///< poses in the block
   std::vector<double> layers;       ///< devices × packed × kLanes: S of each device

@@ -1,9 +1,7 @@
 // The exact spectral reduction of pose-level measurements.
 #pragma once
 
-#include <cstddef>
-#include <span>
-
+#include "delos/model/lanes.h"
 #include "delos/model/state.h"
 #include "delos/riccati/chain.h"
 
@@ -33,15 +31,6 @@ struct SpectralForm {
 [[nodiscard]] DELOS_API SpectralForm spectral_form(const CoordinateMatrix& L,
                                                    const CoordinateMatrix& S);
 
-/// spectral_form() of many poses at once, each started from the directions of the one
-/// before: neighbours have nearly the same, and few rotations are left. Up to rounding
-/// the same forms; the bytes depend on the poses before, from the first of the call on.
-/// @param packed S by its lower triangle, row after row: element e of pose l stands at
-///        [e·stride + l]
-/// @pre forms.size() ≤ stride
-DELOS_API void spectral_forms(const CoordinateMatrix& L, const double* packed,
-                              std::size_t stride, std::span<SpectralForm> forms);
-
 /// The careful way to the same: one-sided, from the stacked whitened rows R^(−1/2)·H
 /// instead of their product, so that λmin keeps a relative error of about ε·√cond(S).
 /// @param rows m×d, whitened measurement rows
@@ -63,6 +52,15 @@ DELOS_API void spectral_forms(const CoordinateMatrix& L, const double* packed,
 /// need.
 [[nodiscard]] DELOS_API CoordinateMatrix spectral_pose_covariance(
     const SpectralForm& form, int order, const Sampling& sampling, CovarianceKind kind);
+
+/// spectral_pose_covariance() of kLanes poses side by side, several times as fast; up
+/// to rounding the same. Each pose's numbers depend on its own alone.
+/// @param S information, packed as model/lanes.h says
+/// @param[out] P likewise; unspecified where directions are lost
+/// @param[out] lost kLanes numbers: how many directions of the pose are unobservable
+DELOS_API void spectral_pose_covariances(const CoordinateMatrix& L, int order,
+                                         const Sampling& sampling, CovarianceKind kind,
+                                         const double* S, double* P, int* lost);
 
 /// ∂J/∂S for an objective with ∂J/∂P∞ = Y, by Daleckii–Krein run backwards:
 ///
