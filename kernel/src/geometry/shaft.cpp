@@ -1,5 +1,6 @@
 #include "geometry/shaft.h"
 
+#include <cmath>
 #include <limits>
 
 namespace delos {
@@ -39,25 +40,28 @@ void Shaft::add_silhouette(int i, int j) {
     for (const int g : {-1, 1}) {
       if (beyond(apex_[other], box_.min()[other], box_.max()[other]) == g) continue;
       const double other_at = g > 0 ? box_.max()[other] : box_.min()[other];
-      Eigen::Vector3d n = Eigen::Vector3d::Zero();
-      n[seen] = -f * ((apex_[other] - other_at) * g);
-      n[other] = g * ((apex_[seen] - seen_at) * f);
-      normals_[planes_++] = n;
+      const double n_seen = -f * ((apex_[other] - other_at) * g);
+      const double n_other = g * ((apex_[seen] - seen_at) * f);
+      // Four roundings, of terms that are no larger than the bounds allow.
+      const double reach = bounds_.sizes().maxCoeff();
+      const double slack =
+          (std::abs(n_seen) + std::abs(n_other)) * (4 * kRounding * reach + margin_);
+      planes_[plane_count_++] = {seen, other, n_seen, n_other, slack};
     }
   }
 }
 
 bool Shaft::may_meet(const Eigen::Vector3d& min, const Eigen::Vector3d& max) const {
-  if ((min.array() > bounds_.max().array()).any() ||
-      (max.array() < bounds_.min().array()).any()) {
-    return false;
-  }
-  for (int k = 0; k < planes_; ++k) {
-    const Eigen::Vector3d& n = normals_[k];
-    // The box's innermost corner as seen by this plane.
-    const Eigen::Vector3d q = (n.array() > 0).select(min, max) - apex_;
-    const double reach = n.cwiseAbs().dot(q.cwiseAbs());
-    if (n.dot(q) > 4 * kRounding * reach + margin_ * n.lpNorm<1>()) return false;
+  // Only what is within the bounds can meet the hull.
+  const Eigen::Vector3d low = min.cwiseMax(bounds_.min());
+  const Eigen::Vector3d high = max.cwiseMin(bounds_.max());
+  if ((low.array() > high.array()).any()) return false;
+  for (int k = 0; k < plane_count_; ++k) {
+    const Plane& p = planes_[k];
+    // The corner that is innermost as seen by this plane.
+    const double x = (p.n_i > 0 ? low : high)[p.i] - apex_[p.i];
+    const double y = (p.n_j > 0 ? low : high)[p.j] - apex_[p.j];
+    if (p.n_i * x + p.n_j * y > p.slack) return false;
   }
   return true;
 }
@@ -67,14 +71,14 @@ bool Shaft::may_meet(const std::array<Eigen::Vector3d, 3>& t) const {
                 t[0].cwiseMax(t[1]).cwiseMax(t[2]))) {
     return false;
   }
-  // All three corners beyond one plane?
-  for (int k = 0; k < planes_; ++k) {
-    const Eigen::Vector3d& n = normals_[k];
+  // All three corners beyond one plane? They may be far outside of the bounds.
+  for (int k = 0; k < plane_count_; ++k) {
+    const Plane& p = planes_[k];
     bool all_beyond = true;
     for (const Eigen::Vector3d& corner : t) {
-      const Eigen::Vector3d q = corner - apex_;
-      const double reach = n.cwiseAbs().dot(q.cwiseAbs());
-      all_beyond &= n.dot(q) > 4 * kRounding * reach + margin_ * n.lpNorm<1>();
+      const double x = p.n_i * (corner[p.i] - apex_[p.i]);
+      const double y = p.n_j * (corner[p.j] - apex_[p.j]);
+      all_beyond &= x + y > p.slack + 4 * kRounding * (std::abs(x) + std::abs(y));
     }
     if (all_beyond) return false;
   }

@@ -22,14 +22,21 @@ class Shaft {
   bool may_meet(const std::array<Eigen::Vector3d, 3>& corners) const;
 
  private:
+  /// A plane through the apex and an edge along one of the axes: it cuts the other two.
+  struct Plane {
+    int i, j;         // the axes that it cuts
+    double n_i, n_j;  // its outward normal
+    double slack;  // n·(x − apex) is beyond doubt above this, x in the hull's bounds
+  };
+
   void add_silhouette(int i, int j);
 
   Eigen::Vector3d apex_;
   Eigen::AlignedBox3d box_;
   Eigen::AlignedBox3d bounds_;  // of the hull, with the margin
   double margin_;               // metres, above the rounding of any coordinate here
-  std::array<Eigen::Vector3d, 6> normals_;  // outward, of the planes through the apex
-  int planes_ = 0;
+  std::array<Plane, 6> planes_;
+  int plane_count_ = 0;
 };
 
 }  // namespace delos
