@@ -125,7 +125,8 @@ TEST(SelfIntersections, AreCountedInPairs) {
   EXPECT_EQ(find_defects(pair_of(with({{1, 1, 0.1}, {1, 1, 1}, {2, 2, 1}}), {3, 4, 5}))
                 .self_intersections,
             0u);
-  // One common corner: the rest pierces, or only the corner is shared.
+  // One common corner: the far edges cross, the second one's pierces the first, or only
+  // the corner is shared.
   EXPECT_EQ(find_defects(pair_of(with({{2, 2, -1}, {2, 2, 1}}), {0, 3, 4}))
                 .self_intersections,
             1u);
@@ -135,6 +136,10 @@ TEST(SelfIntersections, AreCountedInPairs) {
   EXPECT_EQ(find_defects(pair_of(with({{-1, -1, -1}, {-1, -1, 1}}), {0, 3, 4}))
                 .self_intersections,
             0u);
+  // Pierced by the first one's far edge alone, in (2, 2, 0).
+  EXPECT_EQ(find_defects(pair_of(with({{3, 3, -1}, {3, 3, 1}}), {0, 3, 4}))
+                .self_intersections,
+            1u);
   // One common edge: folded onto it, unfolded, and bent.
   EXPECT_EQ(find_defects(pair_of(with({{1, 1, 0}}), {1, 0, 3})).self_intersections, 1u);
   EXPECT_EQ(find_defects(pair_of(with({{1, -1, 0}}), {1, 0, 3})).self_intersections,

@@ -293,11 +293,12 @@ bool Occluders::contains(const Point& p) const {
     bool odd = false;
   };
   std::vector<Count> counts(tree_->closures.size());
-  // A direction drawn at random meets an edge or a corner hardly ever.
+  // Upward, and where that meets an edge or a corner, some other way: a direction drawn
+  // at random meets them hardly ever.
+  Eigen::Vector3d direction(0, 0, 1);
   std::minstd_rand random;
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (bool ambiguous = true; ambiguous;) {
-    const Eigen::Vector3d direction(uniform(random), uniform(random), uniform(random));
     const Segment s{p, p + length * direction.normalized()};
     const auto from = cgal_point(s.a), to = cgal_point(s.b);
     std::fill(counts.begin(), counts.end(), Count());
@@ -327,6 +328,7 @@ bool Occluders::contains(const Point& p) const {
           return at_surface;
         });
     if (at_surface) return true;
+    direction = {uniform(random), uniform(random), uniform(random)};
   }
   for (std::size_t part = 0; part < counts.size(); ++part) {
     if (tree_->closures[part].oriented ? counts[part].winding != 0 : counts[part].odd) {
