@@ -141,6 +141,7 @@ struct Occluders::Tree {
 
   bool piece_meets(std::uint32_t piece, const Segment& s) const;
   bool piece_meets(std::uint32_t piece, const Box& box) const;
+  std::optional<bool> inside_by(const Segment& s) const;
 };
 
 void Occluders::Tree::add(const TriangleMesh& mesh) {
@@ -182,6 +183,33 @@ bool Occluders::Tree::piece_meets(std::uint32_t piece, const Box& box) const {
          return found = p.piece == piece && CGAL::do_intersect(p.triangle, query);
        });
   return found;
+}
+
+/// Whether the start of a segment that ends outside of everything is in a closed part;
+/// nullopt where the segment meets an edge or a corner.
+std::optional<bool> Occluders::Tree::inside_by(const Segment& s) const {
+  const auto from = cgal_point(s.a), to = cgal_point(s.b);
+  const SlabTest slabs(s);
+  std::vector<int> winding(closures.size());
+  bool on_surface = false, ambiguous = false;
+  walk([&](const CGAL::Bbox_3& box) { return may_meet(slabs, box); },
+       [&](const Primitive& t) {
+         const std::uint32_t part = part_of[t.piece];
+         if (!closures[part].closed) return false;
+         const Crossing c = crossing(t.triangle, from, to);
+         winding[part] += (c == Crossing::rising) - (c == Crossing::falling);
+         ambiguous |= c == Crossing::ambiguous;
+         return on_surface |= c == Crossing::at_start;
+       });
+  if (on_surface) return true;
+  if (ambiguous) return std::nullopt;
+  for (std::size_t part = 0; part < winding.size(); ++part) {
+    // Crossings are odd in number where their sum is odd.
+    if (closures[part].oriented ? winding[part] != 0 : winding[part] % 2 != 0) {
+      return true;
+    }
+  }
+  return false;
 }
 
 Occluders::Occluders() : Occluders(std::vector<TriangleMesh>()) {}
@@ -287,55 +315,17 @@ bool Occluders::hides(const Point& apex, const Box& box, double skin) const {
 
 bool Occluders::contains(const Point& p) const {
   if (!tree_->bounds.contains(p)) return false;
-  const double length = 2 * (tree_->bounds.diagonal().norm() + p.norm());
-  struct Count {
-    int winding = 0;
-    bool odd = false;
-  };
-  std::vector<Count> counts(tree_->closures.size());
   // Upward, and where that meets an edge or a corner, some other way: a direction drawn
   // at random meets them hardly ever.
   Eigen::Vector3d direction(0, 0, 1);
   std::minstd_rand random;
   std::uniform_real_distribution<double> uniform(-1, 1);
-  for (bool ambiguous = true; ambiguous;) {
-    const Segment s{p, p + length * direction.normalized()};
-    const auto from = cgal_point(s.a), to = cgal_point(s.b);
-    std::fill(counts.begin(), counts.end(), Count());
-    ambiguous = false;
-    bool at_surface = false;
-    tree_->walk(
-        [slabs = SlabTest(s)](const CGAL::Bbox_3& box) { return may_meet(slabs, box); },
-        [&](const Primitive& t) {
-          const std::uint32_t part = tree_->part_of[t.piece];
-          if (!tree_->closures[part].closed) return false;
-          switch (crossing(t.triangle, from, to)) {
-            case Crossing::none:
-              break;
-            case Crossing::rising:
-              ++counts[part].winding, counts[part].odd ^= true;
-              break;
-            case Crossing::falling:
-              --counts[part].winding, counts[part].odd ^= true;
-              break;
-            case Crossing::at_start:
-              at_surface = true;
-              break;
-            case Crossing::ambiguous:
-              ambiguous = true;
-              break;
-          }
-          return at_surface;
-        });
-    if (at_surface) return true;
+  const double length = 2 * (tree_->bounds.diagonal().norm() + p.norm());
+  for (;;) {
+    const auto inside = tree_->inside_by({p, p + length * direction.normalized()});
+    if (inside) return *inside;
     direction = {uniform(random), uniform(random), uniform(random)};
   }
-  for (std::size_t part = 0; part < counts.size(); ++part) {
-    if (tree_->closures[part].oriented ? counts[part].winding != 0 : counts[part].odd) {
-      return true;
-    }
-  }
-  return false;
 }
 
 std::size_t Occluders::triangles() const { return tree_->aabb.size(); }
