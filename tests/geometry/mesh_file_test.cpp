@@ -230,10 +230,12 @@ TEST_F(MeshFile, ThatNamesAMissingVertexIsRefused) {
             "a.ply: face 11 (counted from 0) names a vertex that doesn't exist");
 }
 
-TEST_F(MeshFile, ThatPromisesTooMuchIsRefused) {
-  EXPECT_NE(refusal("a.off", "OFF\n999999999999 1 0\n0 0 0\n"), "accepted");
-  EXPECT_NE(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999999 0 1 2\n"),
-            "accepted");
+TEST_F(MeshFile, ThatAnnouncesTooMuchIsRefused) {
+  const char* reason = "a.off: announces more than it holds";
+  EXPECT_EQ(refusal("a.off", "OFF\n400000000 1 0\n0 0 0\n"), reason);
+  EXPECT_EQ(refusal("a.off", "OFF\n1 400000000 0\n0 0 0\n"), reason);
+  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999999 0 1 2\n"),
+            reason);
 }
 
 }  // namespace

@@ -21,8 +21,20 @@
 namespace delos {
 namespace {
 
-using Points = std::vector<Kernel::Point_3>;
-using Polygons = std::vector<std::vector<std::size_t>>;
+/// A vector that grows at once to what a file can hold, but not to what it claims: CGAL
+/// makes room for as many vertices, faces and corners as the file announces.
+template <class T>
+struct Claimed : std::vector<T> {
+  std::size_t limit = 1'000'000;
+
+  void resize(std::size_t n) {
+    if (n > limit) throw std::length_error("announced");
+    std::vector<T>::resize(n);
+  }
+};
+
+using Points = Claimed<Kernel::Point_3>;
+using Polygons = Claimed<Claimed<std::size_t>>;
 using Reader = bool (*)(std::istream&, Points&, Polygons&);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
@@ -172,13 +184,15 @@ Soup read_soup(const std::filesystem::path& file,
   }
   if (suffix_of(file) == ".stl") check_binary_stl(file);
   Soup soup;
+  // No format spends less than two bytes on a vertex or a face.
+  soup.points.limit = soup.polygons.limit = std::filesystem::file_size(file) / 2;
   bool understood = false;
   try {
     understood = read(in, soup.points, soup.polygons);
-  } catch (const std::bad_alloc&) {
-    refuse(file, "lists more than fits into memory");
   } catch (const std::length_error&) {
-    refuse(file, "lists more than fits into memory");
+    refuse(file, "announces more than it holds");
+  } catch (const std::bad_alloc&) {
+    refuse(file, "doesn't fit into memory");
   }
   check(file, soup);
   if (!understood) refuse(file, reason(file, in.rdstate(), soup.polygons));
