@@ -30,8 +30,9 @@ struct TriangleMesh {
 /// @returns at least one triangle; all vertices finite, all indices in range
 /// @throws std::runtime_error with one sentence that starts with the file: it is
 /// missing,
-///         its suffix is unknown, it can't be understood, a vertex isn't finite, a face
-///         names a vertex that doesn't exist, or it has no triangle
+///         its suffix is unknown, it can't be understood or announces more than it
+///         holds, a vertex isn't finite, a face names a vertex that doesn't exist, or
+///         it has no triangle
 /// @cost linear in the file (binary STL: n log n, as equal corners are merged)
 [[nodiscard]] DELOS_API TriangleMesh
 read_mesh(const std::filesystem::path& file,

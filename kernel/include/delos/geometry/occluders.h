@@ -18,7 +18,8 @@ namespace delos {
 /// ask from many threads at once. All lengths are metres.
 ///
 /// Answers about single segments are exact for the given doubles: they are those of
-/// arithmetic without rounding. Triangles without area are left out.
+/// arithmetic without rounding. Triangles without area are left
+/// out, and all but one of those with the same corners.
 ///
 /// A *convex piece* is a connected component of a mesh that is closed and convex, so
 /// that a box or a cylinder is one piece; every other triangle is a piece of its own.
@@ -69,7 +70,7 @@ class DELOS_API Occluders {
   /// overlap or have cavities; any other is judged by the parity of crossings.
   [[nodiscard]] bool contains(const Point& p) const;
 
-  [[nodiscard]] std::size_t triangles() const;  ///< those with area
+  [[nodiscard]] std::size_t triangles() const;  ///< those not left out
   [[nodiscard]] std::uint32_t pieces() const;   ///< convex pieces
   [[nodiscard]] Box bounds() const;             ///< of all triangles; empty without any
 
