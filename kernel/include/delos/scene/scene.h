@@ -2,6 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,8 +27,12 @@ enum class Fusion {
   artemis,     ///< the papers' sum of Ψ matrices, for comparison with published plots
 };
 
-/// How the values of several target orientations at one point become one.
-enum class OrientationRule { worst, mean };
+/// How several target orientations at one point become one value.
+enum class OrientationRule {
+  worst,        ///< the worst value
+  mean,         ///< the mean of the values
+  information,  ///< the value of the mean information: visibility as a probability
+};
 
 /// A regular grid of samples in a box, both ends included: min, min + step, … ≤ max.
 struct VolumeSampling {
@@ -48,10 +56,34 @@ struct PointSampling {
   friend bool operator==(const PointSampling&, const PointSampling&) = default;
 };
 
+/// The vertices of a mesh.
+struct MeshSampling {
+  std::string file;  ///< as written, relative to the scene's folder
+  double scale = 1;  ///< metres per unit of the file, > 0
+  std::vector<Eigen::Vector3d> vertices;                ///< metres
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices
+  friend bool operator==(const MeshSampling&, const MeshSampling&) = default;
+};
+
+/// A box sampled by an octree, only as finely as the field needs.
+struct AdaptiveSampling {
+  Eigen::Vector3d min;      ///< metres
+  Eigen::Vector3d max;      ///< metres, > min
+  double tolerance = 0.02;  ///< relative error of the metric where it is smooth, > 0
+  int depth = 6;            ///< most halvings of the box, 1 to 12
+  std::optional<std::int64_t> evaluations;  ///< stop at about so many, > 0
+  std::optional<double> seconds;            ///< stop after about so long, > 0
+  std::optional<double> near_value;  ///< refine only around this value of the metric, SI
+  std::optional<Eigen::AlignedBox3d> within;  ///< refine only inside, metres
+  friend bool operator==(const AdaptiveSampling& a, const AdaptiveSampling& b);
+};
+
 /// One named set of sample points.
 struct SampleSet {
   std::string name;  ///< may be empty
-  std::variant<VolumeSampling, PlaneSampling, PointSampling> shape;
+  std::variant<VolumeSampling, PlaneSampling, PointSampling, MeshSampling,
+               AdaptiveSampling>
+      shape;
   friend bool operator==(const SampleSet&, const SampleSet&) = default;
 };
 
@@ -90,6 +122,48 @@ struct Group {
   friend bool operator==(const Group&, const Group&) = default;
 };
 
+/// Bodies in their own frame, metres.
+struct BoxShape {
+  Eigen::Vector3d min, max;  ///< min < max
+  friend bool operator==(const BoxShape&, const BoxShape&) = default;
+};
+struct CylinderShape {  ///< about the z axis, from z = 0 up
+  double radius = 0, height = 0;
+  int sides = 32;
+  friend bool operator==(const CylinderShape&, const CylinderShape&) = default;
+};
+struct SphereShape {  ///< about the origin
+  double radius = 0;
+  friend bool operator==(const SphereShape&, const SphereShape&) = default;
+};
+struct PrismShape {  ///< a polygon in the xy plane, from z = 0 up
+  std::vector<Eigen::Vector2d> polygon;
+  double height = 0;
+  friend bool operator==(const PrismShape&, const PrismShape&) = default;
+};
+struct MeshShape {
+  std::string file;  ///< .off .obj .ply .stl, as written, relative to the scene's folder
+  double scale = 1;  ///< metres per unit of the file, > 0
+  std::filesystem::path path;  ///< where it was found
+  friend bool operator==(const MeshShape&, const MeshShape&) = default;
+};
+using Body = std::variant<BoxShape, CylinderShape, SphereShape, PrismShape, MeshShape>;
+
+/// What something is fixed to.
+enum class Mount {
+  world,
+  target,  ///< it moves with the target; its placement is in the target's frame
+};
+
+/// Something that hides.
+struct OccluderEntry {
+  std::string name;  ///< may be empty
+  Body body;
+  Mount mount = Mount::world;
+  Placement placement;
+  friend bool operator==(const OccluderEntry&, const OccluderEntry&) = default;
+};
+
 /// A device of the scene. Every parameter of its table has a value.
 struct DeviceEntry {
   std::string name;
@@ -116,6 +190,10 @@ struct Scene {
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
   std::vector<Group> groups;
   std::vector<DeviceEntry> devices;
+  std::vector<OccluderEntry> occluders;
+  /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
+  /// marker on a body.
+  double skin = 1e-3;
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };
