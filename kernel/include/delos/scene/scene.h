@@ -3,15 +3,15 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
-#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "delos/device/parameters.h"
+#include "delos/geometry/mesh.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/riccati/chain.h"
@@ -42,7 +42,8 @@ struct VolumeSampling {
   friend bool operator==(const VolumeSampling&, const VolumeSampling&) = default;
 };
 
-/// counts[0]×counts[1] samples on the parallelogram origin + a·u + b·v, a and b in [0, 1].
+/// counts[0]×counts[1] samples on the parallelogram origin + a·u + b·v, a and b in [0,
+/// 1].
 struct PlaneSampling {
   Eigen::Vector3d origin, u, v;  ///< metres
   Eigen::Vector2i counts;        ///< ≥ 1 each
@@ -56,12 +57,22 @@ struct PointSampling {
   friend bool operator==(const PointSampling&, const PointSampling&) = default;
 };
 
-/// The vertices of a mesh.
-struct MeshSampling {
-  std::string file;  ///< as written, relative to the scene's folder
+/// A mesh in a file. Copies share what was read, and equal names and scales are equal:
+/// within one scene a file is read once.
+struct MeshShape {
+  std::string
+      file;  ///< .off .obj .ply .stl, as written, relative to the scene's folder
   double scale = 1;  ///< metres per unit of the file, > 0
-  std::vector<Eigen::Vector3d> vertices;                ///< metres
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices
+  /// As it is in the file, in the file's unit. Never null in a loaded scene.
+  std::shared_ptr<const TriangleMesh> mesh;
+  friend bool operator==(const MeshShape& a, const MeshShape& b) {
+    return a.file == b.file && a.scale == b.scale;
+  }
+};
+
+/// The vertices of a mesh that is placed in the world.
+struct MeshSampling {
+  MeshShape surface;
   friend bool operator==(const MeshSampling&, const MeshSampling&) = default;
 };
 
@@ -73,9 +84,11 @@ struct AdaptiveSampling {
   int depth = 6;            ///< most halvings of the box, 1 to 12
   std::optional<std::int64_t> evaluations;  ///< stop at about so many, > 0
   std::optional<double> seconds;            ///< stop after about so long, > 0
-  std::optional<double> near_value;  ///< refine only around this value of the metric, SI
+  std::optional<double>
+      near_value;  ///< refine only around this value of the metric, SI
   std::optional<Eigen::AlignedBox3d> within;  ///< refine only inside, metres
-  friend bool operator==(const AdaptiveSampling& a, const AdaptiveSampling& b);
+  friend DELOS_API bool operator==(const AdaptiveSampling& a,
+                                   const AdaptiveSampling& b);
 };
 
 /// One named set of sample points.
@@ -104,14 +117,16 @@ struct QuaternionWxyz {
   friend bool operator==(const QuaternionWxyz&, const QuaternionWxyz&) = default;
 };
 struct Aim {
-  Eigen::Vector3d at;  ///< the point looked at, metres, in the same frame as the position
+  Eigen::Vector3d
+      at;  ///< the point looked at, metres, in the same frame as the position
   friend bool operator==(const Aim&, const Aim&) = default;
 };
 
 /// Where something is, in its group's frame or the world's.
 struct Placement {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();                 ///< metres
-  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim> facing;  ///< monostate: identity
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< metres
+  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim>
+      facing;  ///< monostate: identity
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
@@ -123,8 +138,8 @@ struct Group {
 };
 
 /// Bodies in their own frame, metres.
-struct BoxShape {
-  Eigen::Vector3d min, max;  ///< min < max
+struct BoxShape {  ///< along the axes, min < max
+  Eigen::Vector3d min = Eigen::Vector3d::Zero(), max = Eigen::Vector3d::Zero();
   friend bool operator==(const BoxShape&, const BoxShape&) = default;
 };
 struct CylinderShape {  ///< about the z axis, from z = 0 up
@@ -140,12 +155,6 @@ struct PrismShape {  ///< a polygon in the xy plane, from z = 0 up
   std::vector<Eigen::Vector2d> polygon;
   double height = 0;
   friend bool operator==(const PrismShape&, const PrismShape&) = default;
-};
-struct MeshShape {
-  std::string file;  ///< .off .obj .ply .stl, as written, relative to the scene's folder
-  double scale = 1;  ///< metres per unit of the file, > 0
-  std::filesystem::path path;  ///< where it was found
-  friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
 using Body = std::variant<BoxShape, CylinderShape, SphereShape, PrismShape, MeshShape>;
 
@@ -164,13 +173,61 @@ struct OccluderEntry {
   friend bool operator==(const OccluderEntry&, const OccluderEntry&) = default;
 };
 
+/// A named body in the world: where a search may put things, or may not.
+struct Region {
+  std::string name;
+  Body body;
+  Placement placement;
+  friend bool operator==(const Region&, const Region&) = default;
+};
+
+/// Surfaces that devices are mounted on, in the world, metres. Coordinates run from 0
+/// to 1.
+struct PatchSurface {  ///< origin + a·u + b·v, facing along u × v
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d u = Eigen::Vector3d::UnitX(), v = Eigen::Vector3d::UnitY();
+  friend bool operator==(const PatchSurface&, const PatchSurface&) = default;
+};
+struct RailSurface {  ///< a line through points; one coordinate, the part of its length
+  std::vector<Eigen::Vector3d> points;  ///< two or more, not all the same
+  friend bool operator==(const RailSurface&, const RailSurface&) = default;
+};
+struct MeshSurface {  ///< where the ray from a point of `from` along u × v first hits
+  MeshShape mesh;
+  PatchSurface from;
+  friend bool operator==(const MeshSurface&, const MeshSurface&) = default;
+};
+struct Surface {
+  std::string name;
+  std::variant<PatchSurface, RailSurface, MeshSurface> shape;
+  friend bool operator==(const Surface&, const Surface&) = default;
+};
+
+/// A point of a surface.
+struct SurfacePoint {
+  Eigen::Vector3d p;  ///< world, metres
+  /// Unit vector away from the surface; of a mesh, to the side that it was hit from.
+  /// Rails have none.
+  std::optional<Eigen::Vector3d> normal;
+};
+
+/// Where a device is mounted.
+struct Mounting {
+  std::string surface;              ///< the surface's name
+  std::vector<double> coordinates;  ///< in [0, 1]: one on a rail, else two
+  friend bool operator==(const Mounting&, const Mounting&) = default;
+};
+
 /// A device of the scene. Every parameter of its table has a value.
 struct DeviceEntry {
   std::string name;
   std::string type;
-  double rate = 0;   ///< updates a second, > 0
-  double phase = 0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
+  double rate = 0;  ///< updates a second, > 0
+  double phase =
+      0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
   std::string group;  ///< empty: the world
+  /// Given: it stands there, and not at placement.at; group is empty.
+  std::optional<Mounting> mounting;
   Placement placement;
   ParamValues params;
   friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
@@ -189,6 +246,8 @@ struct Scene {
   /// Points on the target that point devices observe, metres, in the target's frame.
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
   std::vector<Group> groups;
+  std::vector<Surface> surfaces;
+  std::vector<Region> regions;
   std::vector<DeviceEntry> devices;
   std::vector<OccluderEntry> occluders;
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
@@ -202,11 +261,25 @@ struct Scene {
 [[nodiscard]] DELOS_API const char* to_string(Fusion fusion);
 [[nodiscard]] DELOS_API const char* to_string(CovarianceKind kind);
 
-/// X_GS or X_WG of a placement.
+/// The pose of a placement in the frame that it is given in: X_GS, X_WG, or that of an
+/// occluder in the world or in the target.
 [[nodiscard]] DELOS_API Pose pose_of(const Placement& placement);
 
-/// X_WS of a device: its placement within its group.
-/// @pre the group exists
+/// The body as triangles in its own frame, metres: scaled, not placed.
+/// @pre the body came from a loaded scene, or would pass the loader's checks
+[[nodiscard]] DELOS_API TriangleMesh body_mesh(const Body& body);
+
+/// The point of a surface at these coordinates.
+/// @returns nullopt where the ray of a mesh surface hits nothing
+/// @pre as many coordinates as the surface has
+/// @cost linear in the mesh's triangles
+[[nodiscard]] DELOS_API std::optional<SurfacePoint> surface_point(
+    const Surface& surface, const std::vector<double>& coordinates);
+
+/// X_WS of a device: its placement within its group, or its place on its surface, where
+/// its z axis is the surface's normal unless its placement says where it faces.
+/// @pre the group or the surface exists
+/// @throws std::domain_error one sentence: the ray of a mesh surface hits nothing there
 [[nodiscard]] DELOS_API Pose device_pose(const Scene& scene, const DeviceEntry& device);
 
 }  // namespace delos
