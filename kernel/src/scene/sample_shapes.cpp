@@ -134,6 +134,7 @@ void check_density(Reader& reader, const Place& at) {
 
 /// The corners must be in order, and the step must make a countable number of samples.
 void check_box(Reader& reader, const Place& at, const Volume& v) {
+  const std::size_t before = reader.findings.errors();
   const Place max(at, "max", *at.node().find("max"));
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
@@ -151,7 +152,7 @@ void check_box(Reader& reader, const Place& at, const Volume& v) {
   if (v.step && !(extent.array() / v.step->array()).isFinite().all())
     reader.error(Place(at, "step", *at.node().find("step")),
                  "is too small for this box");
-  if (!v.adaptive) return;
+  if (!v.adaptive || reader.findings.errors() != before) return;
   const Place adaptive(at, "adaptive", *at.node().find("adaptive"));
   if (!extent.allFinite())
     reader.error(max, "is further from min than a double can tell");
