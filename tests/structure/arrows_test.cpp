@@ -99,6 +99,7 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
   const Home homes[] = {
       {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/scene/"}},
       {"Boost", std::regex("boost/.*"), {"kernel/src/plugin/"}},
+      {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
       {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/scene/"}},

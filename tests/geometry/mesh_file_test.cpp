@@ -1,0 +1,240 @@
+// Mesh files, written here byte by byte: what is read, and what is refused.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "delos/geometry/defects.h"
+#include "delos/geometry/mesh.h"
+#include "delos/geometry/primitives.h"
+
+namespace delos::test {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "as the binary files below");
+
+class MeshFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("delos_mesh_" + std::string(test->name()) + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    return folder_ / name;
+  }
+
+  /// What is said of a file, without its folder.
+  std::string refusal(const std::string& name, const std::string& bytes) {
+    try {
+      (void)read_mesh(write(name, bytes));
+    } catch (const std::runtime_error& e) {
+      return std::string(e.what()).substr(folder_.string().size() + 1);
+    }
+    return "accepted";
+  }
+
+  std::filesystem::path folder_;
+};
+
+const TriangleMesh cube = make_box({0, 0, 0}, {1, 2, 3});
+
+template <class T>
+std::string bytes_of(T value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+std::string off() {
+  std::ostringstream out;
+  out << "OFF\n# a cube\n8 12 0\n";
+  for (const auto& p : cube.vertices) out << p.transpose() << '\n';
+  for (const auto& [a, b, c] : cube.triangles) {
+    out << "3 " << a << ' ' << b << ' ' << c << '\n';
+  }
+  return out.str();
+}
+
+std::string obj() {
+  std::ostringstream out;
+  out << "# a cube\no cube\nvn 0 0 1\nvt 0 0\n";
+  for (const auto& p : cube.vertices) out << "v " << p.transpose() << '\n';
+  for (std::size_t t = 0; t < cube.triangles.size(); ++t) {
+    const auto& [a, b, c] = cube.triangles[t];
+    if (t % 2 == 0) {
+      out << "f " << a + 1 << "/1/1 " << b + 1 << "//1 " << c + 1 << '\n';
+    } else {  // counted from the end
+      out << "f " << int(a) - 8 << ' ' << int(b) - 8 << ' ' << int(c) - 8 << '\n';
+    }
+  }
+  return out.str();
+}
+
+std::string ply_header(const std::string& format) {
+  return "ply\nformat " + format +
+         " 1.0\ncomment a cube\nelement vertex 8\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 12\nproperty list uchar int vertex_indices\n"
+         "end_header\n";
+}
+
+std::string ply() {
+  std::ostringstream out;
+  out << ply_header("ascii");
+  for (const auto& p : cube.vertices) out << p.transpose() << '\n';
+  for (const auto& [a, b, c] : cube.triangles) {
+    out << "3 " << a << ' ' << b << ' ' << c << '\n';
+  }
+  return out.str();
+}
+
+std::string binary_ply() {
+  std::string out = ply_header("binary_little_endian");
+  for (const auto& p : cube.vertices) {
+    for (const double x : p) out += bytes_of(static_cast<float>(x));
+  }
+  for (const auto& triangle : cube.triangles) {
+    out += bytes_of(std::uint8_t{3});
+    for (const std::uint32_t corner : triangle) out += bytes_of(corner);
+  }
+  return out;
+}
+
+std::string stl() {
+  std::ostringstream out;
+  out << "solid cube\n";
+  for (const auto& triangle : cube.triangles) {
+    out << "facet normal 0 0 0\n outer loop\n";
+    for (const std::uint32_t corner : triangle) {
+      out << "  vertex " << cube.vertices[corner].transpose() << '\n';
+    }
+    out << " endloop\nendfacet\n";
+  }
+  out << "endsolid cube\n";
+  return out.str();
+}
+
+std::string binary_stl(const TriangleMesh& mesh = cube) {
+  std::string out(80, ' ');
+  out += bytes_of(static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) out += bytes_of(0.0f);
+    for (const std::uint32_t corner : triangle) {
+      for (const double x : mesh.vertices[corner])
+        out += bytes_of(static_cast<float>(x));
+    }
+    out += std::string(2, '\0');
+  }
+  return out;
+}
+
+TEST_F(MeshFile, OfEveryFormatGivesTheCube) {
+  const std::pair<const char*, std::string> files[] = {
+      {"a.off", off()},        {"a.obj", obj()}, {"a.ply", ply()},
+      {"b.ply", binary_ply()}, {"a.stl", stl()}, {"b.STL", binary_stl()},
+  };
+  for (const auto& [name, bytes] : files) {
+    const TriangleMesh mesh = read_mesh(write(name, bytes));
+    ASSERT_EQ(mesh.vertices.size(), 8u) << name;
+    ASSERT_EQ(mesh.triangles.size(), 12u) << name;
+    for (std::size_t t = 0; t < 12; ++t) {
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(mesh.vertices[mesh.triangles[t][i]],
+                  cube.vertices[cube.triangles[t][i]])
+            << name << ", triangle " << t;
+      }
+    }
+    EXPECT_TRUE(find_defects(mesh).closed) << name;
+  }
+}
+
+TEST_F(MeshFile, FansPolygons) {
+  const TriangleMesh mesh = read_mesh(
+      write("a.off", "OFF\n5 1 0\n0 0 0\n2 0 0\n3 1 0\n2 2 0\n0 2 0\n5 0 1 2 3 4\n"));
+  const std::vector<std::array<std::uint32_t, 3>> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+  EXPECT_EQ(mesh.triangles, fan);
+}
+
+TEST_F(MeshFile, TellsHowFarItIs) {
+  const auto file = write("a.stl", binary_stl(make_sphere(1, 6)));  // 4 MB
+  std::vector<double> told;
+  (void)read_mesh(file, [&](double fraction) { told.push_back(fraction); });
+  ASSERT_GE(told.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.front(), 0);
+  EXPECT_EQ(told.back(), 1);
+}
+
+TEST_F(MeshFile, IsRefusedWithTheCause) {
+  EXPECT_EQ(refusal("a.gltf", "{}"),
+            "a.gltf: the suffix '.gltf' isn't one of .off, .obj, .ply and .stl");
+  for (const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
+    EXPECT_EQ(refusal(name, ""), name + std::string(": is empty or can't be read"));
+    EXPECT_NE(refusal(name, "hello world\n"), "accepted");
+  }
+  EXPECT_EQ(refusal("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"),
+            "a.off: has no triangle");
+  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
+            "a.off: can't be understood, or ends too early");
+  EXPECT_EQ(refusal("a.ply", binary_ply().substr(0, 300)),
+            "a.ply: can't be understood, or ends too early");
+  EXPECT_EQ(refusal("a.stl", binary_stl().substr(0, 300)),
+            "a.stl: can't be understood, or ends too early");
+  try {
+    (void)read_mesh(folder_ / "none.off");
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_EQ(e.what(), (folder_ / "none.off").string() + ": no such file");
+  }
+}
+
+TEST_F(MeshFile, WithAVertexThatIsNotFiniteIsRefused) {
+  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n"),
+            "a.off: line 5: 'nan' isn't a finite number");
+  EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e999 0\nf 1 2 3\n"),
+            "a.obj: line 3: '1e999' isn't a finite number");
+  std::string text = stl();
+  text.replace(text.find("vertex 1"), 8, "vertex -inf");
+  EXPECT_EQ(refusal("a.stl", text).substr(0, 12), "a.stl: line ");
+
+  const std::string nan = bytes_of(NAN);
+  std::string bytes = binary_ply();
+  bytes.replace(ply_header("binary_little_endian").size() + 12 * 3 + 4, 4, nan);
+  EXPECT_EQ(refusal("a.ply", bytes), "a.ply: vertex 3 (counted from 0) isn't finite");
+  bytes = binary_stl();
+  bytes.replace(84 + 50 * 7 + 12 + 12 * 2, 4, nan);
+  EXPECT_EQ(refusal("a.stl", bytes),
+            "a.stl: vertex 2 of triangle 7 (counted from 0) isn't finite");
+}
+
+TEST_F(MeshFile, ThatNamesAMissingVertexIsRefused) {
+  EXPECT_EQ(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+            "a.off: a face names a vertex that doesn't exist");
+  for (const char* face : {"f 1 2 4", "f 1 2 0", "f 1 2 -4"}) {
+    EXPECT_EQ(
+        refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + std::string(face) + "\n"),
+        "a.obj: face 0 (counted from 0) names a vertex that doesn't exist");
+  }
+  std::string text = ply();
+  text.replace(text.rfind("3 "), 7, "3 4 7 8");
+  EXPECT_EQ(refusal("a.ply", text),
+            "a.ply: face 11 (counted from 0) names a vertex that doesn't exist");
+}
+
+TEST_F(MeshFile, ThatPromisesTooMuchIsRefused) {
+  EXPECT_NE(refusal("a.off", "OFF\n999999999999 1 0\n0 0 0\n"), "accepted");
+  EXPECT_NE(refusal("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999999 0 1 2\n"),
+            "accepted");
+}
+
+}  // namespace
+}  // namespace delos::test
