@@ -2,6 +2,7 @@
 // base64 by table look-up from RFC 4648.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <map>

@@ -135,10 +135,11 @@ TEST(Room, LetsMountedDevicesFaceElsewhere) {
 }
 
 TEST(Room, EndsOfRailsAreOnThem) {
-  const Surface rail{"r", RailSurface{{{0, 0, 0}, {0, 0, 0}, {0, 3, 0}, {4, 3, 0}}}};
-  EXPECT_EQ(surface_point(rail, {0})->p, Eigen::Vector3d(0, 0, 0));
-  EXPECT_EQ(surface_point(rail, {1})->p, Eigen::Vector3d(4, 3, 0));
-  expect_near(surface_point(rail, {4.0 / 7})->p, {1, 3, 0});
+  const SurfaceEntry rail{"r",
+                          RailSurface{{{0, 0, 0}, {0, 0, 0}, {0, 3, 0}, {4, 3, 0}}}};
+  EXPECT_EQ(mount_point(rail, {0})->p, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(mount_point(rail, {1})->p, Eigen::Vector3d(4, 3, 0));
+  expect_near(mount_point(rail, {4.0 / 7})->p, {1, 3, 0});
 }
 
 const std::string kHull =

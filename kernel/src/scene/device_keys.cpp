@@ -120,7 +120,7 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
 
 void read_device(Reader& reader, const Place& at, const StateLayout* layout,
                  const std::vector<std::string>& groups,
-                 const std::vector<Surface>* surfaces, DeviceEntry& out) {
+                 const std::vector<SurfaceEntry>* surfaces, DeviceEntry& out) {
   const std::size_t before = reader.findings.errors();
   if (!read_map(reader, at, kDeviceKeys, out)) return;
   if (out.mounting) {

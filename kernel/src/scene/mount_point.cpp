@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "delos/geometry/surface.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
@@ -40,44 +41,37 @@ std::optional<Hit> first_hit(const MeshShape& shape, const Eigen::Vector3d& p,
   return first;
 }
 
+MountPoint point_of(const PatchSurface& s, const std::vector<double>& c) {
+  const SurfacePoint at = patch_point({s.origin, s.u, s.v}, c[0], c[1]);
+  return {at.p, at.normal};
+}
+
 struct At {
   const std::vector<double>& coordinates;
 
-  std::optional<SurfacePoint> operator()(const PatchSurface& s) const {
-    return SurfacePoint{
-        s.origin + coordinates[0] * s.u + coordinates[1] * s.v,
-        s.u.stableNormalized().cross(s.v.stableNormalized()).stableNormalized()};
+  std::optional<MountPoint> operator()(const PatchSurface& s) const {
+    return point_of(s, coordinates);
   }
 
-  std::optional<SurfacePoint> operator()(const RailSurface& s) const {
-    double length = 0;
-    for (std::size_t i = 1; i < s.points.size(); ++i)
-      length += (s.points[i] - s.points[i - 1]).norm();
-    double left = coordinates[0] * length;
-    for (std::size_t i = 1; i < s.points.size(); ++i) {
-      const Eigen::Vector3d piece = s.points[i] - s.points[i - 1];
-      if (left < piece.norm())
-        return SurfacePoint{s.points[i - 1] + left / piece.norm() * piece, {}};
-      left -= piece.norm();
-    }
-    return SurfacePoint{s.points.back(), {}};
+  std::optional<MountPoint> operator()(const RailSurface& s) const {
+    return MountPoint{rail_point(s.points, coordinates[0]).p, {}};
   }
 
-  std::optional<SurfacePoint> operator()(const MeshSurface& s) const {
-    const SurfacePoint from = *(*this)(s.from);
+  std::optional<MountPoint> operator()(const MeshSurface& s) const {
+    const MountPoint from = point_of(s.from, coordinates);
     const Eigen::Vector3d& d = *from.normal;
     const auto hit = first_hit(s.mesh, from.p, d);
     if (!hit) return std::nullopt;
     const Eigen::Vector3d normal = hit->normal.stableNormalized();
-    return SurfacePoint{from.p + hit->t * d,
-                        normal.dot(d) < 0 ? normal : Eigen::Vector3d(-normal)};
+    return MountPoint{from.p + hit->t * d,
+                      normal.dot(d) < 0 ? normal : Eigen::Vector3d(-normal)};
   }
 };
 
 }  // namespace
 
-std::optional<SurfacePoint> surface_point(const Surface& surface,
-                                          const std::vector<double>& coordinates) {
+std::optional<MountPoint> mount_point(const SurfaceEntry& surface,
+                                      const std::vector<double>& coordinates) {
   return std::visit(At{coordinates}, surface.shape);
 }
 

@@ -42,7 +42,8 @@ constexpr std::array<Key<OccluderEntry>, 1> kMountKey = {{
 constexpr auto kOccluderKeys = concat(concat(kNameKey, kBodyKeys<OccluderEntry>),
                                       concat(kMountKey, kPlacementKeys<OccluderEntry>));
 
-constexpr auto kRegionKeys = concat(kBodyKeys<Region>, kPlacementKeys<Region>);
+constexpr auto kRegionKeys =
+    concat(kBodyKeys<RegionEntry>, kPlacementKeys<RegionEntry>);
 
 }  // namespace
 
@@ -69,13 +70,13 @@ void read_occluders(Reader& reader, const Place& at, std::vector<OccluderEntry>&
   }
 }
 
-void read_regions(Reader& reader, const Place& at, std::vector<Region>& out) {
+void read_regions(Reader& reader, const Place& at, std::vector<RegionEntry>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to bodies")) return;
   const Node& node = at.node();
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, node.keys[i].text, node.items[i]);
     const std::size_t before = reader.findings.errors();
-    Region region;
+    RegionEntry region;
     region.name = reader.key_name(at, i);
     if (!read_map(reader, place, kRegionKeys, region)) continue;
     check_placement(reader, place, region.placement);
@@ -91,10 +92,10 @@ Node write_occluders(const std::vector<OccluderEntry>& occluders) {
   return to_node(std::move(list));
 }
 
-Node write_regions(const std::vector<Region>& regions) {
+Node write_regions(const std::vector<RegionEntry>& regions) {
   Node map;
   map.kind = Node::Kind::map;
-  for (const Region& region : regions) {
+  for (const RegionEntry& region : regions) {
     map.keys.push_back({region.name, {}});
     map.items.push_back(write_map(kRegionKeys, region));
   }

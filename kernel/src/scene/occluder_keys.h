@@ -9,9 +9,9 @@
 namespace delos {
 
 void read_occluders(Reader& reader, const Place& at, std::vector<OccluderEntry>& out);
-void read_regions(Reader& reader, const Place& at, std::vector<Region>& out);
+void read_regions(Reader& reader, const Place& at, std::vector<RegionEntry>& out);
 
 [[nodiscard]] Node write_occluders(const std::vector<OccluderEntry>& occluders);
-[[nodiscard]] Node write_regions(const std::vector<Region>& regions);
+[[nodiscard]] Node write_regions(const std::vector<RegionEntry>& regions);
 
 }  // namespace delos

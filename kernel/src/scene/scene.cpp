@@ -43,17 +43,18 @@ namespace {
 Pose mounted_pose(const Scene& scene, const DeviceEntry& device) {
   const auto surface = std::find_if(
       scene.surfaces.begin(), scene.surfaces.end(),
-      [&](const Surface& s) { return s.name == device.mounting->surface; });
+      [&](const SurfaceEntry& s) { return s.name == device.mounting->surface; });
   if (surface == scene.surfaces.end()) std::abort();
-  const auto point = surface_point(*surface, device.mounting->coordinates);
+  const auto point = mount_point(*surface, device.mounting->coordinates);
   if (!point)
     throw std::domain_error(device.name + ": the ray from its coordinates on '" +
                             surface->name + "' hits nothing");
   Placement placement = device.placement;
   placement.at = point->p;
+  Pose X_WS = pose_of(placement);
   if (point->normal && std::holds_alternative<std::monostate>(placement.facing))
-    placement.facing = Aim{point->p + *point->normal};
-  return pose_of(placement);
+    X_WS.R = rotation_from_aim(Eigen::Vector3d::Zero(), *point->normal);
+  return X_WS;
 }
 
 }  // namespace

@@ -32,14 +32,14 @@ PatchSurface read_patch(Reader& reader, const Place& at) {
   PatchSurface patch;
   read_map(reader, at, kPatchKeys, patch);
   if (reader.findings.errors() == before &&
-      patch.u.stableNormalized().cross(patch.v.stableNormalized()).norm() < 1e-9)
+      !(patch.u.cross(patch.v).norm() > 1e-9 * patch.u.norm() * patch.v.norm()))
     reader.error(at, "u and v don't span a surface: they are parallel, or one is zero");
   return patch;
 }
 
 /// A surface while it is read: `scale` and `from` stand beside `mesh`.
 struct Draft {
-  Surface surface;
+  SurfaceEntry surface;
   MeshSurface hull;
 };
 
@@ -119,13 +119,13 @@ void check_surface(Reader& reader, const Place& at, Draft& draft, std::size_t be
   draft.surface.shape = draft.hull;
 }
 
-std::size_t coordinate_count(const Surface& surface) {
+std::size_t coordinate_count(const SurfaceEntry& surface) {
   return std::holds_alternative<RailSurface>(surface.shape) ? 1 : 2;
 }
 
 }  // namespace
 
-void read_surfaces(Reader& reader, const Place& at, std::vector<Surface>& out) {
+void read_surfaces(Reader& reader, const Place& at, std::vector<SurfaceEntry>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to surfaces")) return;
   const Node& node = at.node();
   for (std::size_t i = 0; i < node.items.size(); ++i) {
@@ -139,10 +139,10 @@ void read_surfaces(Reader& reader, const Place& at, std::vector<Surface>& out) {
   }
 }
 
-Node write_surfaces(const std::vector<Surface>& surfaces) {
+Node write_surfaces(const std::vector<SurfaceEntry>& surfaces) {
   Node map;
   map.kind = Node::Kind::map;
-  for (const Surface& surface : surfaces) {
+  for (const SurfaceEntry& surface : surfaces) {
     map.keys.push_back({surface.name, {}});
     map.items.push_back(write_map(kSurfaceKeys, Draft{surface, {}}));
   }
@@ -184,9 +184,9 @@ std::optional<Node> write_coordinates(const DeviceEntry& device) {
   return to_node(std::move(numbers));
 }
 
-std::optional<SurfacePoint> check_mounting(Reader& reader, const Place& at,
-                                           const DeviceEntry& device,
-                                           const std::vector<Surface>* surfaces) {
+std::optional<MountPoint> check_mounting(Reader& reader, const Place& at,
+                                         const DeviceEntry& device,
+                                         const std::vector<SurfaceEntry>* surfaces) {
   const Node* on = at.node().find("on");
   const Node* coordinates = at.node().find("coordinates");
   if (!on && !coordinates) return std::nullopt;
@@ -208,11 +208,12 @@ std::optional<SurfacePoint> check_mounting(Reader& reader, const Place& at,
   if (!surfaces || on->kind != Node::Kind::scalar) return std::nullopt;
 
   const std::string& name = device.mounting->surface;
-  const auto surface = std::find_if(surfaces->begin(), surfaces->end(),
-                                    [&](const Surface& s) { return s.name == name; });
+  const auto surface =
+      std::find_if(surfaces->begin(), surfaces->end(),
+                   [&](const SurfaceEntry& s) { return s.name == name; });
   if (surface == surfaces->end()) {
     std::vector<std::string> known;
-    for (const Surface& s : *surfaces) known.push_back(s.name);
+    for (const SurfaceEntry& s : *surfaces) known.push_back(s.name);
     reader.error_within(
         at, on->mark, "on",
         "there is no surface '" + name + '\'' +
@@ -233,7 +234,7 @@ std::optional<SurfacePoint> check_mounting(Reader& reader, const Place& at,
                                   std::to_string(given));
     return std::nullopt;
   }
-  const auto point = surface_point(*surface, device.mounting->coordinates);
+  const auto point = mount_point(*surface, device.mounting->coordinates);
   if (!point)
     reader.error_within(
         at, coordinates->mark, "coordinates",

@@ -9,9 +9,9 @@
 
 namespace delos {
 
-void read_surfaces(Reader& reader, const Place& at, std::vector<Surface>& out);
+void read_surfaces(Reader& reader, const Place& at, std::vector<SurfaceEntry>& out);
 
-[[nodiscard]] Node write_surfaces(const std::vector<Surface>& surfaces);
+[[nodiscard]] Node write_surfaces(const std::vector<SurfaceEntry>& surfaces);
 
 void read_on(Reader& reader, const Place& at, DeviceEntry& out);
 void read_coordinates(Reader& reader, const Place& at, DeviceEntry& out);
@@ -23,8 +23,8 @@ void read_coordinates(Reader& reader, const Place& at, DeviceEntry& out);
 /// @param surfaces null where they have findings
 /// @returns the point that the device is mounted on; nullopt where it has findings or
 ///          isn't mounted
-std::optional<SurfacePoint> check_mounting(Reader& reader, const Place& at,
-                                           const DeviceEntry& device,
-                                           const std::vector<Surface>* surfaces);
+std::optional<MountPoint> check_mounting(Reader& reader, const Place& at,
+                                         const DeviceEntry& device,
+                                         const std::vector<SurfaceEntry>* surfaces);
 
 }  // namespace delos

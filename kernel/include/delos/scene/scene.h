@@ -60,8 +60,7 @@ struct PointSampling {
 /// A mesh in a file. Copies share what was read, and equal names and scales are equal:
 /// within one scene a file is read once.
 struct MeshShape {
-  std::string
-      file;  ///< .off .obj .ply .stl, as written, relative to the scene's folder
+  std::string file;  ///< as written, relative to the scene's folder; see read_mesh()
   double scale = 1;  ///< metres per unit of the file, > 0
   /// As it is in the file, in the file's unit. Never null in a loaded scene.
   std::shared_ptr<const TriangleMesh> mesh;
@@ -84,8 +83,7 @@ struct AdaptiveSampling {
   int depth = 6;            ///< most halvings of the box, 1 to 12
   std::optional<std::int64_t> evaluations;  ///< stop at about so many, > 0
   std::optional<double> seconds;            ///< stop after about so long, > 0
-  std::optional<double>
-      near_value;  ///< refine only around this value of the metric, SI
+  std::optional<double> near_value;  ///< refine only around this metric's value, SI
   std::optional<Eigen::AlignedBox3d> within;  ///< refine only inside, metres
   friend DELOS_API bool operator==(const AdaptiveSampling& a,
                                    const AdaptiveSampling& b);
@@ -117,16 +115,14 @@ struct QuaternionWxyz {
   friend bool operator==(const QuaternionWxyz&, const QuaternionWxyz&) = default;
 };
 struct Aim {
-  Eigen::Vector3d
-      at;  ///< the point looked at, metres, in the same frame as the position
+  Eigen::Vector3d at;  ///< the point looked at, metres, in the same frame as the position
   friend bool operator==(const Aim&, const Aim&) = default;
 };
 
 /// Where something is, in its group's frame or the world's.
 struct Placement {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< metres
-  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim>
-      facing;  ///< monostate: identity
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();                 ///< metres
+  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim> facing;  ///< monostate: identity
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
@@ -174,11 +170,11 @@ struct OccluderEntry {
 };
 
 /// A named body in the world: where a search may put things, or may not.
-struct Region {
+struct RegionEntry {
   std::string name;
   Body body;
   Placement placement;
-  friend bool operator==(const Region&, const Region&) = default;
+  friend bool operator==(const RegionEntry&, const RegionEntry&) = default;
 };
 
 /// Surfaces that devices are mounted on, in the world, metres. Coordinates run from 0
@@ -197,14 +193,14 @@ struct MeshSurface {  ///< where the ray from a point of `from` along u × v fir
   PatchSurface from;
   friend bool operator==(const MeshSurface&, const MeshSurface&) = default;
 };
-struct Surface {
+struct SurfaceEntry {
   std::string name;
   std::variant<PatchSurface, RailSurface, MeshSurface> shape;
-  friend bool operator==(const Surface&, const Surface&) = default;
+  friend bool operator==(const SurfaceEntry&, const SurfaceEntry&) = default;
 };
 
 /// A point of a surface.
-struct SurfacePoint {
+struct MountPoint {
   Eigen::Vector3d p;  ///< world, metres
   /// Unit vector away from the surface; of a mesh, to the side that it was hit from.
   /// Rails have none.
@@ -222,9 +218,8 @@ struct Mounting {
 struct DeviceEntry {
   std::string name;
   std::string type;
-  double rate = 0;  ///< updates a second, > 0
-  double phase =
-      0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
+  double rate = 0;   ///< updates a second, > 0
+  double phase = 0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
   std::string group;  ///< empty: the world
   /// Given: it stands there, and not at placement.at; group is empty.
   std::optional<Mounting> mounting;
@@ -246,8 +241,8 @@ struct Scene {
   /// Points on the target that point devices observe, metres, in the target's frame.
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
   std::vector<Group> groups;
-  std::vector<Surface> surfaces;
-  std::vector<Region> regions;
+  std::vector<SurfaceEntry> surfaces;
+  std::vector<RegionEntry> regions;
   std::vector<DeviceEntry> devices;
   std::vector<OccluderEntry> occluders;
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
@@ -273,8 +268,8 @@ struct Scene {
 /// @returns nullopt where the ray of a mesh surface hits nothing
 /// @pre as many coordinates as the surface has
 /// @cost linear in the mesh's triangles
-[[nodiscard]] DELOS_API std::optional<SurfacePoint> surface_point(
-    const Surface& surface, const std::vector<double>& coordinates);
+[[nodiscard]] DELOS_API std::optional<MountPoint> mount_point(
+    const SurfaceEntry& surface, const std::vector<double>& coordinates);
 
 /// X_WS of a device: its placement within its group, or its place on its surface, where
 /// its z axis is the surface's normal unless its placement says where it faces.
