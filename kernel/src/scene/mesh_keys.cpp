@@ -26,38 +26,39 @@ std::string open_text(const MeshDefects& d) {
                    " an odd number of triangles or more than two";
 }
 
-/// What is wrong and what follows from it, each a clause; empty where all is well.
-std::vector<std::string> clauses(const MeshDefects& d) {
-  std::vector<std::string> text;
-  if (!d.closed) text.push_back(open_text(d) + ": it hides, but has no inside");
+/// What is wrong and what follows from it; empty where all is well.
+std::string defects_text(const MeshDefects& d) {
+  std::string text;
+  const auto add = [&](const std::string& clause) {
+    if (!text.empty()) text += "; ";
+    text += clause;
+  };
+  if (!d.closed) add(open_text(d) + ": it hides, but has no inside");
   if (d.closed && d.non_manifold_edges > 0)
-    text.push_back(counted(d.non_manifold_edges, "edge has", "edges have") +
-                   " more than two triangles: its inside is where a line out crosses "
-                   "it an odd number of times");
+    add(counted(d.non_manifold_edges, "edge has", "edges have") +
+        " more than two triangles: its inside is where a line out crosses it an odd "
+        "number of times");
   if (d.flipped_edges > 0)
-    text.push_back(counted(d.flipped_edges, "edge has", "edges have") +
-                   " triangles that don't face the same way: it hides all the same");
-  if (d.inverted) text.push_back("faces inward: it hides all the same");
+    add(counted(d.flipped_edges, "edge has", "edges have") +
+        " triangles that don't face the same way: it hides all the same");
+  if (d.inverted) add("faces inward: it hides all the same");
   if (d.self_intersections.value_or(0) > 0)
-    text.push_back(counted(*d.self_intersections, "pair of triangles cuts",
-                           "pairs of triangles cut") +
-                   " through each other: it hides all the same");
+    add(counted(*d.self_intersections, "pair of triangles cuts",
+                "pairs of triangles cut") +
+        " through each other: it hides all the same");
   if (d.duplicate > 0)
-    text.push_back(
-        counted(d.duplicate, "triangle is there twice", "triangles are there twice"));
+    add(counted(d.duplicate, "triangle is there twice", "triangles are there twice"));
   if (d.degenerate > 0)
-    text.push_back(counted(d.degenerate, "triangle has", "triangles have") +
-                   " no area: they hide nothing");
+    add(counted(d.degenerate, "triangle without area hides",
+                "triangles without area hide") +
+        " nothing");
   return text;
 }
 
 void warn_of_defects(Reader& reader, const Place& at, const MeshShape& shape,
                      const MeshDefects& defects) {
-  const std::vector<std::string> found = clauses(defects);
-  if (found.empty()) return;
-  std::string text;
-  for (const std::string& clause : found) text += (text.empty() ? "" : "; ") + clause;
-  reader.warning(at, '\'' + shape.file + "': " + text);
+  const std::string text = defects_text(defects);
+  if (!text.empty()) reader.warning(at, '\'' + shape.file + "': " + text);
 }
 
 /// The file again, where its defects aren't known yet; else null.
