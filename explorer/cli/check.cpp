@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "delos/field/fusion.h"
+#include "json.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -14,32 +15,97 @@ struct CheckCommand {
   std::vector<std::filesystem::path> scenes;
 };
 
+/// A scene in order, in numbers.
+struct Facts {
+  std::size_t devices = 0, states = 0;
+  std::size_t samples = 0;  ///< 0: adaptive, so that they aren't known yet
+  std::string fusion, solver;
+};
+
+/// What came of checking one file.
+struct Checked {
+  std::filesystem::path file;
+  Diagnostics diagnostics;
+  std::optional<Facts> facts;  ///< empty where a diagnostic is an error
+};
+
+Facts facts_of(const LoadedScene& loaded, Solver chosen) {
+  const FusionSolver solver(loaded.system, chosen);
+  const std::string problem = metric_problem(loaded.system, loaded.metric);
+  if (!problem.empty()) throw std::invalid_argument(problem);
+  Facts facts;
+  facts.devices = loaded.system.devices.size();
+  facts.states = static_cast<std::size_t>(loaded.scene.motion.layout.size());
+  for (const SampleSet& set : loaded.scene.samples)
+    facts.samples += static_cast<std::size_t>(sample_count(set));
+  facts.fusion = to_string(loaded.system.fusion);
+  facts.solver = to_string(solver.solver());
+  return facts;
+}
+
+/// @throws Failure kUsage
+Checked check(const std::filesystem::path& file, const SceneOptions& options,
+              PluginRegistry& plugins) {
+  Checked checked{file, {}, {}};
+  try {
+    const auto loaded = load(file, options, plugins, checked.diagnostics);
+    if (loaded) checked.facts = facts_of(*loaded, solver_named(options.solver));
+  } catch (const std::invalid_argument& error) {
+    checked.diagnostics.push_back({{file.string()}, Severity::error, error.what()});
+  }
+  return checked;
+}
+
+void print(const Checked& checked) {
+  for (const Diagnostic& d : checked.diagnostics) std::cerr << to_string(d) << "\n";
+  if (!checked.facts) return;
+  const Facts& facts = *checked.facts;
+  std::cout << checked.file.string() << ": in order; "
+            << counted(facts.devices, "device") << ", "
+            << (facts.samples > 0 ? counted(facts.samples, "sample")
+                                  : "adaptive samples")
+            << ", " << counted(facts.states, "state") << ", " << facts.fusion
+            << " fusion, solver " << facts.solver << "\n";
+}
+
+Json to_json(const Checked& checked) {
+  Json json{{"scene", checked.file.string()}, {"in_order", checked.facts.has_value()}};
+  if (checked.facts) {
+    const Facts& facts = *checked.facts;
+    json["devices"] = facts.devices;
+    json["samples"] = facts.samples > 0 ? Json(facts.samples) : Json();
+    json["states"] = facts.states;
+    json["fusion"] = facts.fusion;
+    json["solver"] = facts.solver;
+  }
+  json["diagnostics"] = Json::array();
+  for (const Diagnostic& d : checked.diagnostics) {
+    const auto place = [](int n) { return n > 0 ? Json(n) : Json(); };
+    json["diagnostics"].push_back(
+        {{"severity", d.severity == Severity::error ? "error" : "warning"},
+         {"file", d.where.file},
+         {"line", place(d.where.line)},
+         {"column", place(d.where.column)},
+         {"message", d.message}});
+  }
+  return json;
+}
+
 int run(const CheckCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   int exit_code = kDone;
+  Json json = Json::array();
   for (const auto& file : command.scenes) {
-    try {
-      const LoadedScene loaded = load(file, command.options, plugins);
-      const FusionSolver solver(loaded.system, solver_named(command.options.solver));
-      const std::string problem = metric_problem(loaded.system, loaded.metric);
-      if (!problem.empty()) throw std::invalid_argument(problem);
-      std::int64_t samples = 0;
-      for (const SampleSet& set : loaded.scene.samples) samples += sample_count(set);
-      const auto states = static_cast<std::size_t>(loaded.scene.motion.layout.size());
-      std::cout << file.string() << ": in order; "
-                << counted(loaded.system.devices.size(), "device") << ", "
-                << counted(static_cast<std::size_t>(samples), "sample") << ", "
-                << counted(states, "state") << ", " << to_string(loaded.system.fusion)
-                << " fusion, solver " << to_string(solver.solver()) << "\n";
-    } catch (const Failure& failure) {
-      if (failure.code == kUsage) throw;
-      if (!failure.message.empty()) std::cerr << failure.message << "\n";
-      exit_code = kDiagnostics;
-    } catch (const std::invalid_argument& error) {
-      std::cerr << file.string() << ": error: " << error.what() << "\n";
-      exit_code = kDiagnostics;
-    }
+    const Checked checked = check(file, command.options, plugins);
+    if (!checked.facts) exit_code = kDiagnostics;
+    if (command.options.json)
+      json.push_back(to_json(checked));
+    else
+      print(checked);
   }
+  // A file's name may hold any bytes.
+  if (command.options.json)
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   return exit_code;
 }
 
@@ -55,6 +121,8 @@ void add_check_command(CLI::App& program, int& exit_code) {
   app->add_option("--plugin-dir", command->options.plugin_dirs,
                   "Folder with device plugins, searched first; repeatable")
       ->allow_extra_args(false);
+  app->add_flag("--json", command->options.json,
+                "One JSON document on stdout, nothing else");
   app->footer("Example:\n  delos check scenes/*.yaml");
   app->callback([command, &exit_code] { exit_code = run(*command); });
 }

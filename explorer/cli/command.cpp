@@ -53,18 +53,26 @@ std::vector<Override> overrides_of(const SceneOptions& options) {
 
 }  // namespace
 
-LoadedScene load(const std::filesystem::path& file, const SceneOptions& options,
-                 PluginRegistry& plugins) {
-  Diagnostics diagnostics;
+std::optional<LoadedScene> load(const std::filesystem::path& file,
+                                const SceneOptions& options, PluginRegistry& plugins,
+                                Diagnostics& diagnostics) {
   const std::optional<Scene> scene =
       load_scene(file, overrides_of(options), plugins, diagnostics);
-  for (const Diagnostic& d : diagnostics) std::cerr << to_string(d) << "\n";
-  if (!scene) throw Failure{kDiagnostics, ""};
+  if (!scene) return std::nullopt;
 
   const auto metric = parse_metric(scene->metric, scene->motion.layout);
   LoadedScene loaded{*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
   if (loaded.scene.name.empty()) loaded.scene.name = file.stem().string();
   return loaded;
+}
+
+LoadedScene load(const std::filesystem::path& file, const SceneOptions& options,
+                 PluginRegistry& plugins) {
+  Diagnostics diagnostics;
+  std::optional<LoadedScene> loaded = load(file, options, plugins, diagnostics);
+  for (const Diagnostic& d : diagnostics) std::cerr << to_string(d) << "\n";
+  if (!loaded) throw Failure{kDiagnostics, ""};
+  return std::move(*loaded);
 }
 
 Solver solver_named(const std::string& name) {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -47,7 +48,15 @@ struct LoadedScene {
   Metric metric;
 };
 
-/// Load, override and build. Prints every finding to stderr.
+/// Load, override and build; findings are appended, warnings too.
+/// @returns nullopt where one of them is an error
+/// @throws Failure kUsage
+[[nodiscard]] std::optional<LoadedScene> load(const std::filesystem::path& file,
+                                              const SceneOptions& options,
+                                              PluginRegistry& plugins,
+                                              Diagnostics& diagnostics);
+
+/// The same; prints every finding to stderr.
 /// @throws Failure kDiagnostics or kUsage
 [[nodiscard]] LoadedScene load(const std::filesystem::path& file,
                                const SceneOptions& options, PluginRegistry& plugins);
@@ -61,8 +70,8 @@ struct LoadedScene {
 [[nodiscard]] Failure unsolvable(const SceneOptions& options,
                                  const std::invalid_argument& error);
 
-/// Evaluate with progress on stderr and a clean end at Ctrl-C. The interrupt outlives the
-/// evaluation, so that writing the result isn't cut short either.
+/// Evaluate with progress on stderr and a clean end at Ctrl-C. The interrupt outlives
+/// the evaluation, so that writing the result isn't cut short either.
 /// @throws Failure as unsolvable()
 [[nodiscard]] Field evaluate(const LoadedScene& loaded, const Samples& samples,
                              const SceneOptions& options, const Interrupt& interrupt);

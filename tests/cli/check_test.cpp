@@ -61,6 +61,67 @@ TEST(CheckCommand, ReportsABadSceneAndGoesOn) {
   EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'), 1);
 }
 
+TEST(CheckCommand, WarnsAndIsContent) {
+  const Folder folder;
+  // Two triangles of a tetrahedron's four: all edges but the common one are open.
+  folder.write("shard.off",
+               "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n");
+  folder.write("room.yaml",
+               read_file(scene("01-acoustic")) + "occluders: [{mesh: shard.off}]\n");
+  const Finished done = run({"check", "room.yaml"}, folder.path());
+  EXPECT_EQ(done.code, 0);
+  EXPECT_EQ(done.out.rfind("room.yaml: in order; ", 0), 0u);
+  const std::string warning =
+      "occluders.0.mesh: 'shard.off': is open, 4 edges have one triangle only: it "
+      "hides, but has no inside";
+  EXPECT_NE(done.err.find(": warning: " + warning + "\n"), std::string::npos)
+      << done.err;
+  EXPECT_EQ(done.err.rfind("room.yaml:", 0), 0u);
+
+  const Finished json = run({"check", "room.yaml", "--json"}, folder.path());
+  EXPECT_EQ(json.code, 0);
+  EXPECT_EQ(json.err, "");
+  const Json document = json.json();
+  ASSERT_EQ(document.size(), 1u);
+  EXPECT_EQ(document[0]["scene"], "room.yaml");
+  EXPECT_EQ(document[0]["in_order"], true);
+  EXPECT_EQ(document[0]["devices"], 4);
+  EXPECT_EQ(document[0]["samples"], 2541);
+  ASSERT_EQ(document[0]["diagnostics"].size(), 1u);
+  const Json& d = document[0]["diagnostics"][0];
+  EXPECT_EQ(d["severity"], "warning");
+  EXPECT_EQ(d["file"], "room.yaml");
+  EXPECT_GT(d["line"], 1);
+  EXPECT_EQ(d["column"], 20);
+  EXPECT_EQ(d["message"], warning);
+}
+
+TEST(CheckCommand, ReportsBadScenesAsJson) {
+  const Folder folder;
+  folder.write("bad.yaml", "delos: 2\n");
+  const Finished done =
+      run({"check", "--json", "bad.yaml", "none.yaml"}, folder.path());
+  EXPECT_EQ(done.code, 1);
+  EXPECT_EQ(done.err, "");
+  const Json document = done.json();
+  ASSERT_EQ(document.size(), 2u);
+  EXPECT_EQ(document[0]["in_order"], false);
+  EXPECT_FALSE(document[0].contains("devices"));
+  EXPECT_GE(document[0]["diagnostics"].size(), 2u);
+  EXPECT_EQ(document[0]["diagnostics"][0]["severity"], "error");
+  EXPECT_EQ(document[1]["diagnostics"][0]["file"], "none.yaml");
+  EXPECT_TRUE(document[1]["diagnostics"][0]["line"].is_null());
+}
+
+TEST(CheckCommand, KnowsAdaptiveSamples) {
+  const Finished done =
+      run({"check", scene("01-acoustic"), "--set",
+           "sample.volume={min: [0, 0, 0], max: [1, 1, 1], adaptive: {}}"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("4 devices, adaptive samples, 6 states"), std::string::npos)
+      << done.out;
+}
+
 TEST(CheckCommand, ReportsASceneThatIsMissing) {
   const Folder folder;
   const Finished done = run({"check", "01-acustic.yaml"}, folder.path());

@@ -64,6 +64,12 @@ TEST(WriteField, SaysWhichFormatFits) {
   expect_says(write_field(scattered({1}), folder / "f.vti"), {"volume", ".vtp"});
   expect_says(write_field(scattered({1}), folder / "f.png"),
               {"scattered", ".vtp", ".csv"});
+  Field mesh = empty_field();
+  add_part(mesh, {"", 0, 0, SurfaceShape{{{0, 0, 0}}}}, {{0, 0, 0}}, {1});
+  expect_says(write_field(mesh, folder / "f.png"), {"on a mesh", ".vtp"});
+  expect_says(write_field(mesh, folder / "f.vti"), {"volume", ".vtp"});
+  EXPECT_EQ(write_field(mesh, folder / "mesh.csv"), "");
+  EXPECT_EQ(write_field(mesh, folder / "mesh.json"), "");
   Field two = small_volume();
   const Field one = small_volume();
   add_part(two, one.samples.parts.front(), one.samples.points, one.value);

@@ -2,6 +2,7 @@
 // base64 by table look-up from RFC 4648.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -171,6 +172,38 @@ TEST(Vtp, HoldsPointsAndValues) {
             (std::vector<std::int64_t>{0, 1, 2, 3}));
   EXPECT_EQ(array<std::int64_t>(elements, "offsets", "Int64"),
             (std::vector<std::int64_t>{1, 2, 3, 4}));
+}
+
+TEST(Vtp, DrawsTheTrianglesOfMeshes) {
+  const Folder folder;
+  Field field = scattered({1, 2});
+  add_part(field, {"hull", 0, 0, SurfaceShape{{{0, 1, 2}, {2, 1, 3}}}},
+           {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {3, 4, 5, 6});
+  ASSERT_EQ(write_field(field, folder / "f.vtp"), "");
+  const std::string text = bytes_of(folder / "f.vtp");
+  const std::vector<Element> elements = read_xml(text);
+  const auto& piece = find(elements, "Piece").attributes;
+  EXPECT_EQ(piece.at("NumberOfPoints"), "6");
+  EXPECT_EQ(piece.at("NumberOfVerts"), "2");
+  EXPECT_EQ(piece.at("NumberOfPolys"), "2");
+  expect_values(elements, field);
+  // Dots for the two samples before the mesh, whose corners count from the first of
+  // all.
+  const auto after = [&](const char* element) {
+    const auto begin =
+        std::find_if(elements.begin(), elements.end(),
+                     [&](const Element& e) { return e.name == element; });
+    return std::vector<Element>(begin, elements.end());
+  };
+  const auto verts = after("Verts"), polys = after("Polys");
+  EXPECT_EQ(array<std::int64_t>(verts, "connectivity", "Int64"),
+            (std::vector<std::int64_t>{0, 1}));
+  EXPECT_EQ(array<std::int64_t>(verts, "offsets", "Int64"),
+            (std::vector<std::int64_t>{1, 2}));
+  EXPECT_EQ(array<std::int64_t>(polys, "connectivity", "Int64"),
+            (std::vector<std::int64_t>{2, 3, 4, 4, 3, 5}));
+  EXPECT_EQ(array<std::int64_t>(polys, "offsets", "Int64"),
+            (std::vector<std::int64_t>{3, 6}));
 }
 
 TEST(Vtp, NumbersTheSampleSets) {

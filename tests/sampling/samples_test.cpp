@@ -100,5 +100,29 @@ TEST(MakeSamples, PutsPartsOneAfterTheOther) {
   EXPECT_EQ(s.parts[2].count, 1u);
 }
 
+TEST(MakeSamples, CountsTheCornersOfAMeshFromItsFirstVertex) {
+  const auto mesh = std::make_shared<const TriangleMesh>(
+      TriangleMesh{{{0, 0, 0}, {1000, 0, 0}, {0, 2000, 0}}, {{0, 1, 2}}});
+  const std::vector<SampleSet> sets = {
+      {"", PointSampling{"", {{7, 7, 7}}}},
+      {"hull", MeshSampling{{"hull.off", 0.001, mesh}}},
+  };
+  EXPECT_EQ(sample_count(sets[1]), 3);
+  const Samples s = make_samples(sets);
+  EXPECT_EQ(s.points,
+            (std::vector<Eigen::Vector3d>{{7, 7, 7}, {0, 0, 0}, {1, 0, 0}, {0, 2, 0}}));
+  EXPECT_EQ(s.parts[1].first, 1u);
+  EXPECT_EQ(s.parts[1].count, 3u);
+  EXPECT_EQ(std::get<SurfaceShape>(s.parts[1].shape).triangles, mesh->triangles);
+}
+
+TEST(MakeSamples, RefusesAdaptiveSets) {
+  AdaptiveSampling box;
+  box.min = {0, 0, 0};
+  box.max = {1, 1, 1};
+  EXPECT_EQ(sample_count({"", box}), 0);
+  EXPECT_THROW(static_cast<void>(make_samples({{"", box}})), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace delos

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "scene/load.h"
+#include "scene/room.h"
 
 namespace delos::test {
 namespace {
@@ -36,12 +36,12 @@ std::string damaged(std::string text, std::mt19937& random) {
   return text;
 }
 
-TEST(Fuzz, DamagedScenesGiveASceneOrFindings) {
+void expect_a_scene_or_findings(const std::string& good) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(400);
   std::mt19937 random(20);
   int refused = 0;
   for (int i = 0; i < 2000 && std::chrono::steady_clock::now() < end; ++i) {
-    const std::string text = damaged(kGood, random);
+    const std::string text = damaged(good, random);
     const Loaded loaded = load(text);
     ASSERT_NE(loaded.scene.has_value(), !loaded.findings.empty()) << text;
     if (!loaded.scene) ++refused;
@@ -52,6 +52,10 @@ TEST(Fuzz, DamagedScenesGiveASceneOrFindings) {
   }
   EXPECT_GT(refused, 0);
 }
+
+TEST(Fuzz, DamagedScenesGiveASceneOrFindings) { expect_a_scene_or_findings(kGood); }
+
+TEST(Fuzz, DamagedRoomsGiveASceneOrFindings) { expect_a_scene_or_findings(kRoom); }
 
 TEST(Fuzz, DamagedOverridesGiveASceneOrFindings) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);

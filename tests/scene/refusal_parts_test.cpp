@@ -12,8 +12,8 @@ std::vector<Bad> bad_parts() {
       // ---- samples ----
       {"NoShape",
        good_with(kVolume, "name: bench"),
-       {e("8:3: error: sample: nothing to sample; give volume, plane, points or "
-          "file")}},
+       {e("8:3: error: sample: nothing to sample; give volume, plane, points, "
+          "file or mesh")}},
       {"TwoShapes",
        good_with(kVolume, kVolume + "\n  points: [[0, 0, 0]]"),
        {e("9:11: error: sample.points: the set is given by 'volume' already; make a "
@@ -31,8 +31,7 @@ std::vector<Bad> bad_parts() {
       {"VolumeWithoutStep",
        good_with(", step: 0.04", ""),
        {e("8:11: error: sample.volume.step: missing: distance of samples, metres: a "
-          "number "
-          "or [x, y, z]")}},
+          "number or [x, y, z]; or give 'adaptive'")}},
       {"CountsZero",
        good_with(kVolume,
                  "plane: {origin: [0, 0, 0], u: [1, 0, 0], v: [0, 1, 0], counts: "

@@ -87,28 +87,20 @@ std::vector<Bad> bad_texts() {
           "50 "
           "Hz")}},
       {"LaterTopKeys",
-       kGood + "beacons: {}\noccluders: []\nvariables: []\nconstraints: []\n"
-               "objective: {}\n",
+       kGood + "beacons: {}\nvariables: []\nconstraints: []\nobjective: {}\n",
        {e("18:10: error: beacons: not supported by this version: sets of beacons for "
           "inside-out devices"),
-        e("19:12: error: occluders: not supported by this version: what blocks the "
-          "sight"),
-        e("20:12: error: variables: not supported by this version: what a search may "
+        e("19:12: error: variables: not supported by this version: what a search may "
           "change"),
-        e("21:14: error: constraints: not supported by this version: what a search "
+        e("20:14: error: constraints: not supported by this version: what a search "
           "must "
           "keep"),
-        e("22:12: error: objective: not supported by this version: what a search makes "
+        e("21:12: error: objective: not supported by this version: what a search makes "
           "small")}},
-      {"LaterVolumeKey",
-       good_with("step: 0.04", "step: 0.04, adaptive: {depth: 7}"),
-       {e("8:72: error: sample.volume.adaptive: not supported by this version: "
-          "refinement "
-          "where the field bends")}},
       {"LaterSampleKey",
-       good_with(kVolume, "mesh: torso.obj"),
-       {e("8:9: error: sample.mesh: not supported by this version: samples on a "
-          "surface")}},
+       good_with(kVolume, "path: walk.csv"),
+       {e("8:9: error: sample.path: not supported by this version: samples along a "
+          "recorded path")}},
       {"LaterMount",
        good_with("    rate: 50 Hz", "    mount: target\n    rate: 50 Hz"),
        {e("14:12: error: devices.s1.mount: 'target' is not supported by this version; "

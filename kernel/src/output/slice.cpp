@@ -15,7 +15,8 @@ namespace {
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 bool is_flat_or_regular(const SamplePart& part) {
-  return !std::holds_alternative<ScatteredShape>(part.shape);
+  return std::holds_alternative<GridShape>(part.shape) ||
+         std::holds_alternative<PlaneShape>(part.shape);
 }
 
 bool better(double a, double b, const PictureOptions& options) {

@@ -69,6 +69,23 @@ void point_data(const Field& field, std::ostream& out) {
   out << "      </PointData>\n";
 }
 
+/// Cells of `size` corners each.
+void cells(std::ostream& out, const char* element,
+           const std::vector<std::uint64_t>& corners, std::size_t size) {
+  out << "      <" << element << ">\n";
+  data_array(out, "type=\"Int64\" Name=\"connectivity\"", corners.size(), 8,
+             [&](auto& data) {
+               for (const std::uint64_t corner : corners)
+                 data.add_little_endian(corner);
+             });
+  data_array(out, "type=\"Int64\" Name=\"offsets\"", corners.size() / size, 8,
+             [&](auto& data) {
+               for (std::uint64_t end = size; end <= corners.size(); end += size)
+                 data.add_little_endian(end);
+             });
+  out << "      </" << element << ">\n";
+}
+
 }  // namespace
 
 void write_vti(const Field& field, std::ostream& out) {
@@ -88,9 +105,21 @@ void write_vti(const Field& field, std::ostream& out) {
 void write_vtp(const Field& field, std::ostream& out) {
   const std::vector<Eigen::Vector3d>& points = field.samples.points;
   const std::size_t n = points.size();
+  // A vertex of a mesh is drawn by its triangles, any other sample as a dot.
+  std::vector<std::uint64_t> dots, corners;
+  for (const SamplePart& part : field.samples.parts) {
+    if (const auto* surface = std::get_if<SurfaceShape>(&part.shape)) {
+      for (const auto& triangle : surface->triangles)
+        for (const std::uint32_t corner : triangle)
+          corners.push_back(part.first + corner);
+    } else {
+      for (std::size_t i = 0; i < part.count; ++i) dots.push_back(part.first + i);
+    }
+  }
   open_file(out, "PolyData");
-  out << "  <PolyData>\n    <Piece NumberOfPoints=\"" << n << "\" NumberOfVerts=\"" << n
-      << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+  out << "  <PolyData>\n    <Piece NumberOfPoints=\"" << n << "\" NumberOfVerts=\""
+      << dots.size() << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+      << corners.size() / 3 << "\">\n";
   point_data(field, out);
   out << "      <Points>\n";
   data_array(out, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", 3 * n, 8,
@@ -98,14 +127,10 @@ void write_vtp(const Field& field, std::ostream& out) {
                for (const Eigen::Vector3d& point : points)
                  for (const double coordinate : point) add_double(data, coordinate);
              });
-  out << "      </Points>\n      <Verts>\n";
-  data_array(out, "type=\"Int64\" Name=\"connectivity\"", n, 8, [&](auto& data) {
-    for (std::uint64_t i = 0; i < n; ++i) data.add_little_endian(i);
-  });
-  data_array(out, "type=\"Int64\" Name=\"offsets\"", n, 8, [&](auto& data) {
-    for (std::uint64_t i = 1; i <= n; ++i) data.add_little_endian(i);
-  });
-  out << "      </Verts>\n    </Piece>\n  </PolyData>\n</VTKFile>\n";
+  out << "      </Points>\n";
+  cells(out, "Verts", dots, 1);
+  cells(out, "Polys", corners, 3);
+  out << "    </Piece>\n  </PolyData>\n</VTKFile>\n";
 }
 
 }  // namespace delos

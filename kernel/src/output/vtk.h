@@ -15,8 +15,9 @@ namespace delos {
 /// @pre the samples are one volume
 void write_vti(const Field& field, std::ostream& out);
 
-/// PolyData (.vtp): a vertex a sample, with the same arrays. Where there are several
-/// sample sets, Int32 "part" numbers them from 0.
+/// PolyData (.vtp): the triangles of meshes, and a vertex for each other sample, with
+/// the same arrays. Where there are several sample sets, Int32 "part" numbers them from
+/// 0.
 void write_vtp(const Field& field, std::ostream& out);
 
 }  // namespace delos

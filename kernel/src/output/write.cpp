@@ -36,8 +36,15 @@ std::string misfit_vti(const Samples& samples) {
   return {};
 }
 
+bool is_surface(const SamplePart& part) {
+  return std::holds_alternative<SurfaceShape>(part.shape);
+}
+
 std::string misfit_png(const Samples& samples) {
   if (has_slice(samples)) return {};
+  if (std::any_of(samples.parts.begin(), samples.parts.end(), is_surface))
+    return "a .png shows a volume or a plane and these samples are on a mesh; .vtp "
+           "takes its surface";
   return "a .png shows a volume or a plane and these samples are scattered; .vtp and "
          ".csv "
          "take any points";

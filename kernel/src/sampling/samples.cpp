@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace delos {
 namespace {
@@ -41,6 +42,10 @@ struct Count {
   std::int64_t operator()(const PointSampling& p) const {
     return static_cast<std::int64_t>(p.points.size());
   }
+  std::int64_t operator()(const MeshSampling& m) const {
+    return static_cast<std::int64_t>(m.surface.mesh->vertices.size());
+  }
+  std::int64_t operator()(const AdaptiveSampling&) const { return 0; }
 };
 
 /// Appends the points of a shape and tells how they hang together.
@@ -73,6 +78,18 @@ struct Make {
   decltype(SamplePart::shape) operator()(const PointSampling& p) const {
     points.insert(points.end(), p.points.begin(), p.points.end());
     return ScatteredShape{};
+  }
+
+  decltype(SamplePart::shape) operator()(const MeshSampling& m) const {
+    for (const Eigen::Vector3d& vertex : m.surface.mesh->vertices)
+      points.push_back(m.surface.scale * vertex);
+    return SurfaceShape{m.surface.mesh->triangles};
+  }
+
+  decltype(SamplePart::shape) operator()(const AdaptiveSampling&) const {
+    throw std::invalid_argument(
+        "adaptive samples are chosen while a field is evaluated; give the volume a "
+        "step instead of 'adaptive'");
   }
 };
 

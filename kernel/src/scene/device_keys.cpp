@@ -6,6 +6,8 @@
 #include "scene/node_text.h"
 #include "scene/params.h"
 #include "scene/placement_keys.h"
+#include "scene/surface_keys.h"
+#include "scene/words.h"
 
 namespace delos {
 namespace {
@@ -35,15 +37,12 @@ void read_phase(Reader& reader, const Place& at, DeviceEntry& out) {
 }
 
 void read_mount(Reader& reader, const Place& at, DeviceEntry&) {
-  constexpr std::pair<const char*, bool> kMounts[] = {{"world", true},
-                                                      {"target", false}};
-  const auto in_world = reader.choice(at, kMounts);
-  if (in_world && !*in_world)
+  if (reader.choice(at, kMountWords) == Mount::target)
     reader.error(at,
                  "'target' is not supported by this version; devices are in the world");
 }
 
-constexpr std::array<Key<DeviceEntry>, 11> kDeviceKeys = {{
+constexpr std::array<Key<DeviceEntry>, 13> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -71,7 +70,15 @@ constexpr std::array<Key<DeviceEntry>, 11> kDeviceKeys = {{
        if (d.group.empty()) return std::nullopt;
        return to_node(d.group);
      }},
-    kAtKey<DeviceEntry>,
+    {"at", Need::optional, kAtKey<DeviceEntry>.help, kAtKey<DeviceEntry>.read,
+     [](const DeviceEntry& d) -> Written {
+       if (d.mounting) return std::nullopt;
+       return write_at(d.placement);
+     }},
+    {"on", Need::optional, "the surface that it is mounted on, instead of `at`",
+     read_on, write_on},
+    {"coordinates", Need::optional, "where on the surface, numbers from 0 to 1",
+     read_coordinates, write_coordinates},
     kAimKey<DeviceEntry>,
     kRpyKey<DeviceEntry>,
     kQuaternionKey<DeviceEntry>,
@@ -112,10 +119,16 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
 }
 
 void read_device(Reader& reader, const Place& at, const StateLayout* layout,
-                 const std::vector<std::string>& groups, DeviceEntry& out) {
+                 const std::vector<std::string>& groups,
+                 const std::vector<SurfaceEntry>* surfaces, DeviceEntry& out) {
   const std::size_t before = reader.findings.errors();
   if (!read_map(reader, at, kDeviceKeys, out)) return;
-  check_placement(reader, at, out.placement);
+  if (out.mounting) {
+    const auto point = check_mounting(reader, at, out, surfaces);
+    check_facing(reader, at, out.placement, point ? &point->p : nullptr);
+  } else {
+    check_placement(reader, at, out.placement);
+  }
   check_group(reader, at, out, groups);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);
@@ -135,10 +148,8 @@ void read_groups(Reader& reader, const Place& at, std::vector<Group>& out) {
   const Node& node = at.node();
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, node.keys[i].text, node.items[i]);
-    const Node name{Node::Kind::scalar, node.keys[i].mark, node.keys[i].text, {}, {}};
     Group group;
-    reader.name(Place(at, node.keys[i].text, name));
-    group.name = node.keys[i].text;
+    group.name = reader.key_name(at, i);
     // "rig1:" alone is a group at the origin.
     if (node.items[i].kind != Node::Kind::null &&
         read_map(reader, place, kGroupKeys, group))
@@ -147,7 +158,7 @@ void read_groups(Reader& reader, const Place& at, std::vector<Group>& out) {
   }
 }
 
-void read_devices(Reader& reader, const Place& at, bool motion_known, Scene& scene) {
+void read_devices(Reader& reader, const Place& at, const Known& known, Scene& scene) {
   if (!reader.expect(at, Node::Kind::list, "a list of devices")) return;
   const Node& node = at.node();
   if (node.items.empty())
@@ -159,8 +170,8 @@ void read_devices(Reader& reader, const Place& at, bool motion_known, Scene& sce
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, member_name(node.items[i], i), node.items[i]);
     DeviceEntry entry;
-    read_device(reader, place, motion_known ? &scene.motion.layout : nullptr, groups,
-                entry);
+    read_device(reader, place, known.motion ? &scene.motion.layout : nullptr, groups,
+                known.surfaces ? &scene.surfaces : nullptr, entry);
     if (!entry.name.empty()) {
       const Mark mark = node.items[i].find("name")->mark;
       const auto [first, is_new] = line_of.emplace(entry.name, mark.line);

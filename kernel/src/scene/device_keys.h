@@ -10,12 +10,16 @@ namespace delos {
 
 void read_groups(Reader& reader, const Place& at, std::vector<Group>& out);
 
+/// Which parts of a scene have no findings, so that others can be compared with them.
+struct Known {
+  bool motion = false;
+  bool surfaces = true;  ///< where there are none too
+};
+
 /// Read the list of devices. Each is also made once, since its plugin may refuse values
 /// that clash.
-/// @param motion_known false where `motion` has findings: state sizes aren't compared
-/// then
-/// @param scene its groups and motion have been read
-void read_devices(Reader& reader, const Place& at, bool motion_known, Scene& scene);
+/// @param scene its motion, groups and surfaces have been read
+void read_devices(Reader& reader, const Place& at, const Known& known, Scene& scene);
 
 [[nodiscard]] Node write_groups(const std::vector<Group>& groups);
 [[nodiscard]] Node write_devices(const std::vector<DeviceEntry>& devices);

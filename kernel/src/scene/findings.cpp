@@ -12,7 +12,12 @@ int Findings::add_source(std::string name) {
 }
 
 void Findings::error(Mark where, std::string path, std::string problem) {
-  found_.push_back({where, std::move(path), std::move(problem)});
+  found_.push_back({where, Severity::error, std::move(path), std::move(problem)});
+  ++errors_;
+}
+
+void Findings::warning(Mark where, std::string path, std::string problem) {
+  found_.push_back({where, Severity::warning, std::move(path), std::move(problem)});
 }
 
 void Findings::move_to(Diagnostics& out) {
@@ -38,7 +43,7 @@ void Findings::move_to(Diagnostics& out) {
   for (Finding& f : kept)
     out.push_back({{sources_[static_cast<std::size_t>(f.where.source)], f.where.line,
                     f.where.column},
-                   Severity::error,
+                   f.severity,
                    (f.path.empty() ? "" : f.path + ": ") + f.problem});
   found_.clear();
 }

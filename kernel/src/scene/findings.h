@@ -26,8 +26,11 @@ class Findings {
   /// @param problem what is wrong with it, and what to do
   void error(Mark where, std::string path, std::string problem);
 
+  /// The same for what may be meant, but seldom is: it stops nothing.
+  void warning(Mark where, std::string path, std::string problem);
+
   /// Errors so far: comparing two counts tells whether something between was in order.
-  [[nodiscard]] std::size_t errors() const { return found_.size(); }
+  [[nodiscard]] std::size_t errors() const { return errors_; }
 
   /// Append to `out` in order of position. A value that several paths lead to, by way
   /// of aliases, is reported under the first of them only.
@@ -36,10 +39,12 @@ class Findings {
  private:
   struct Finding {
     Mark where;
+    Severity severity;
     std::string path, problem;
   };
   std::vector<std::string> sources_;
   std::vector<Finding> found_;
+  std::size_t errors_ = 0;
 };
 
 }  // namespace delos

@@ -29,6 +29,16 @@ struct Key {
   std::optional<Node> (*write)(const T&) = nullptr;
 };
 
+/// Two tables as one.
+template <class T, std::size_t M, std::size_t N>
+constexpr std::array<Key<T>, M + N> concat(const std::array<Key<T>, M>& first,
+                                           const std::array<Key<T>, N>& second) {
+  std::array<Key<T>, M + N> both{};
+  for (std::size_t i = 0; i < M; ++i) both[i] = first[i];
+  for (std::size_t i = 0; i < N; ++i) both[M + i] = second[i];
+  return both;
+}
+
 /// Read a mapping, key by key in the order of the table, whatever the text's order is.
 /// Unknown, missing, empty and not yet supported keys are found here.
 /// @returns false where it isn't a mapping.

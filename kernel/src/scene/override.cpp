@@ -106,8 +106,11 @@ class Walk {
 
   Node* add(Node& map, std::size_t i) {
     const std::string& segment = segments_[i];
-    if (i == 1 && segments_[0] == "groups")
-      return fail(i, "there is no such group" + keys_text(map, segment));
+    for (const auto& [key, member] :
+         {std::pair{"groups", "group"}, {"surfaces", "surface"}, {"regions", "region"}})
+      if (i == 1 && segments_[0] == key)
+        return fail(
+            i, std::string("there is no such ") + member + keys_text(map, segment));
     if (i + 1 < segments_.size()) {
       const auto axes = components({});
       const bool of_vector =

@@ -65,6 +65,11 @@ std::optional<Node> write_quaternion(const Placement& placement) {
 }
 
 void check_placement(Reader& reader, const Place& at, const Placement& placement) {
+  check_facing(reader, at, placement, &placement.at);
+}
+
+void check_facing(Reader& reader, const Place& at, const Placement& placement,
+                  const Eigen::Vector3d* p) {
   std::string given;
   for (const char* key : {"aim", "rpy", "quaternion_wxyz"}) {
     const Node* node = at.node().find(key);
@@ -77,9 +82,11 @@ void check_placement(Reader& reader, const Place& at, const Placement& placement
   }
   const auto* aim = std::get_if<Aim>(&placement.facing);
   const Node* node = at.node().find("aim");
-  if (aim && node && aim->at == placement.at)
+  if (aim && node && p && aim->at == *p)
     reader.error_within(at, node->mark, "aim",
-                        "is the same point as 'at'; choose a point to look at");
+                        p == &placement.at
+                            ? "is the same point as 'at'; choose a point to look at"
+                            : "is where it stands; choose a point to look at");
 }
 
 }  // namespace delos

@@ -1,4 +1,4 @@
-// Where something is: the keys at, aim, rpy and quaternion_wxyz of groups and devices.
+// Where something is: the keys at, aim, rpy and quaternion_wxyz.
 #pragma once
 
 #include <optional>
@@ -20,6 +20,11 @@ void read_quaternion(Reader& reader, const Place& at, Placement& out);
 
 /// What only the keys together tell: at most one says where something faces.
 void check_placement(Reader& reader, const Place& at, const Placement& placement);
+
+/// The same for something that stands elsewhere than at placement.at.
+/// @param p where; null where that isn't known
+void check_facing(Reader& reader, const Place& at, const Placement& placement,
+                  const Eigen::Vector3d* p);
 
 // T is anything with a Placement called placement.
 template <class T>

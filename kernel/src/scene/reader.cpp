@@ -46,6 +46,10 @@ void Reader::error(const Place& at, std::string problem) {
   findings.error(at.node().mark, at.path(), std::move(problem));
 }
 
+void Reader::warning(const Place& at, std::string problem) {
+  findings.warning(at.node().mark, at.path(), std::move(problem));
+}
+
 void Reader::error_within(const Place& at, Mark mark, std::string_view segment,
                           std::string problem) {
   findings.error(mark, at.path(segment), std::move(problem));
@@ -102,6 +106,13 @@ std::optional<std::string> Reader::name(const Place& at) {
     if (static_cast<unsigned char>(c) < ' ') return refuse("holds a control character");
   }
   return text;
+}
+
+std::string Reader::key_name(const Place& map, std::size_t i) {
+  const Node::Key& key = map.node().keys[i];
+  const Node node{Node::Kind::scalar, key.mark, key.text, {}, {}};
+  name(Place(map, key.text, node));
+  return key.text;
 }
 
 std::optional<Eigen::Vector3d> Reader::vector3(

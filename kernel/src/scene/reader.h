@@ -13,6 +13,7 @@
 
 #include "delos/plugin/registry.h"
 #include "scene/findings.h"
+#include "scene/mesh_files.h"
 #include "scene/yaml_tree.h"
 
 namespace delos {
@@ -44,9 +45,11 @@ struct Reader {
   Findings& findings;
   PluginRegistry& plugins;
   std::filesystem::path folder;  ///< what relative paths start from
+  MeshFiles meshes = {};
 
   /// "path: problem" at the place's node.
   void error(const Place& at, std::string problem);
+  void warning(const Place& at, std::string problem);
   /// About something that should be in the place, or that is there under a key.
   void error_within(const Place& at, Mark mark, std::string_view segment,
                     std::string problem);
@@ -59,6 +62,8 @@ struct Reader {
   std::optional<std::string> word(const Place& at);
   /// A word that isn't part of a path's syntax: names of devices, groups, samples.
   std::optional<std::string> name(const Place& at);
+  /// Key i of a mapping, as such a name.
+  std::string key_name(const Place& map, std::size_t i);
   /// [x, y, z]
   std::optional<Eigen::Vector3d> vector3(
       const Place& at, std::string_view unit,

@@ -29,7 +29,7 @@ constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
        if (auto rpy = r.vectors3(p, "rad", kAngles)) o.rpy = std::move(*rpy);
      },
      [](const Orientations& o) -> Written { return to_node(o.rpy); }},
-    {"combine", Need::optional, "how their values become one: worst or mean",
+    {"combine", Need::optional, "how they become one value: worst, mean or information",
      [](Reader& r, const Place& p, Orientations& o) {
        if (const auto rule = r.choice(p, kOrientationRuleWords)) o.combine = *rule;
      },
@@ -51,13 +51,19 @@ struct Draft {
 void read_volume_set(Reader& reader, const Place& at, Draft& out) {
   const auto volume = read_volume(reader, at);
   out.complete = volume.has_value();
-  if (volume) out.set.shape = *volume;
+  if (volume) std::visit([&](const auto& shape) { out.set.shape = shape; }, *volume);
 }
 
 void read_plane_set(Reader& reader, const Place& at, Draft& out) {
   const auto plane = read_plane(reader, at);
   out.complete = plane.has_value();
   if (plane) out.set.shape = *plane;
+}
+
+void read_mesh_set(Reader& reader, const Place& at, Draft& out) {
+  auto mesh = read_mesh_samples(reader, at);
+  out.complete = mesh.has_value();
+  if (mesh) out.set.shape = std::move(*mesh);
 }
 
 void read_points(Reader& reader, const Place& at, Draft& out) {
@@ -103,11 +109,13 @@ constexpr std::array<Key<Draft>, 8> kSetKeys = {{
        if (d.set.name.empty()) return std::nullopt;
        return to_node(d.set.name);
      }},
-    {"volume", Need::optional, "grid in a box", read_volume_set,
+    {"volume", Need::optional, "samples in a box", read_volume_set,
      [](const Draft& d) -> Written {
-       const auto* v = std::get_if<VolumeSampling>(&d.set.shape);
-       if (!v) return std::nullopt;
-       return write_volume(*v);
+       if (const auto* v = std::get_if<VolumeSampling>(&d.set.shape))
+         return write_volume(*v);
+       if (const auto* v = std::get_if<AdaptiveSampling>(&d.set.shape))
+         return write_volume(*v);
+       return std::nullopt;
      }},
     {"plane", Need::optional, "samples on a parallelogram", read_plane_set,
      [](const Draft& d) -> Written {
@@ -128,7 +136,13 @@ constexpr std::array<Key<Draft>, 8> kSetKeys = {{
        if (!p || p->file.empty()) return std::nullopt;
        return to_node(p->file);
      }},
-    {"mesh", Need::later, "samples on a surface"},
+    {"mesh", Need::optional, "vertices of a mesh: a file, or file and scale",
+     read_mesh_set,
+     [](const Draft& d) -> Written {
+       const auto* m = std::get_if<MeshSampling>(&d.set.shape);
+       if (!m) return std::nullopt;
+       return write_mesh_samples(*m);
+     }},
     {"path", Need::later, "samples along a recorded path"},
     {"orientations", Need::optional, "target orientations tried at each point",
      [](Reader& r, const Place& p, Draft& d) {
@@ -161,7 +175,7 @@ bool check_one_shape(Reader& reader, const Place& at) {
     given = shape;
   }
   if (!given.empty()) return one;
-  reader.error(at, "nothing to sample; give volume, plane, points or file");
+  reader.error(at, "nothing to sample; give volume, plane, points, file or mesh");
   return false;
 }
 
@@ -180,10 +194,11 @@ void report_too_many(Reader& reader, const Place& at, const SampleSet& set) {
     return within("volume", "step");
   if (std::holds_alternative<PlaneSampling>(set.shape))
     return within("plane", "counts");
+  if (std::holds_alternative<MeshSampling>(set.shape)) return within("mesh", nullptr);
   within(std::get<PointSampling>(set.shape).file.empty() ? "points" : "file", nullptr);
 }
 
-/// Read one set. @returns its samples, 0 where it has findings.
+/// Read one set. @returns its samples, 0 where it has findings or is adaptive.
 std::int64_t read_set(Reader& reader, const Place& at, bool single, Scene& out) {
   Draft draft;
   draft.single = single;
@@ -197,6 +212,16 @@ std::int64_t read_set(Reader& reader, const Place& at, bool single, Scene& out) 
   }
   out.samples.push_back(std::move(draft.set));
   return count;
+}
+
+/// The node of a set's `volume.adaptive`, with its place; nothing where it has none.
+template <class Use>
+void with_adaptive(const Place& set, const Use& use) {
+  const Node* volume = set.node().find("volume");
+  const Node* adaptive = volume ? volume->find("adaptive") : nullptr;
+  if (!adaptive) return;
+  const Place place(set, "volume", *volume);
+  use(Place(place, "adaptive", *adaptive));
 }
 
 bool stand_in_set(const Scene& scene) { return scene.samples.size() == 1; }
@@ -219,6 +244,12 @@ void read_samples(Reader& reader, const Place& at, Scene& out) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, member_name(node.items[i], i), node.items[i]);
     total += read_set(reader, place, false, out);
+    if (node.items.size() > 1)
+      with_adaptive(place, [&](const Place& adaptive) {
+        reader.error(adaptive,
+                     "must be the only set of its scene; keep this set alone, or give "
+                     "it a step");
+      });
     const Node* name = node.items[i].find("name");
     if (name && name->kind == Node::Kind::scalar && !names.insert(name->text).second)
       reader.error_within(place, name->mark, "name",
@@ -226,6 +257,23 @@ void read_samples(Reader& reader, const Place& at, Scene& out) {
   }
   if (total > kMostSamples)
     reader.error(at, too_many_samples(total, kMostSamples) + ": make the sets coarser");
+}
+
+void read_near(Reader& reader, const Place& at, std::string_view unit, Scene& out) {
+  const auto read = [&](const Place& set) {
+    with_adaptive(set, [&](const Place& adaptive) {
+      const Node* near = adaptive.node().find("near");
+      if (!near || near->kind == Node::Kind::null) return;
+      const auto value = read_near_value(reader, Place(adaptive, "near", *near), unit);
+      if (!value || out.samples.empty()) return;
+      if (auto* a = std::get_if<AdaptiveSampling>(&out.samples.front().shape))
+        a->near_value = value;
+    });
+  };
+  const Node& node = at.node();
+  if (node.kind != Node::Kind::list) return read(at);
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    read(Place(at, member_name(node.items[i], i), node.items[i]));
 }
 
 Node write_samples(const Scene& scene) {

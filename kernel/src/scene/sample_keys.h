@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <string_view>
 
 #include "delos/scene/scene.h"
 #include "scene/keys.h"
@@ -16,6 +16,10 @@ inline constexpr std::int64_t kMostSamples = 50'000'000;
 /// Read the sets of `sample`: one mapping, or a list of them. Orientations belong to
 /// the whole scene; they may stand in the mapping, or beside `sample` in the scene.
 void read_samples(Reader& reader, const Place& at, Scene& out);
+/// Read `near` of an adaptive set, a value of the metric.
+/// @param at  `sample`, which has been read
+/// @param unit the metric's
+void read_near(Reader& reader, const Place& at, std::string_view unit, Scene& out);
 void read_orientations(Reader& reader, const Place& at, Orientations& out);
 
 [[nodiscard]] Node write_samples(const Scene& scene);

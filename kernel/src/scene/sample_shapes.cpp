@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "scene/body_keys.h"
+#include "scene/mesh_keys.h"
 #include "scene/node_text.h"
 
 namespace delos {
@@ -13,18 +15,28 @@ void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
   if (const auto v = reader.vector3(at, "m")) out = *v;
 }
 
+// ---- volume ----
+
+/// A box as its keys say it; `near` is read once the metric is known.
+struct Volume {
+  Eigen::Vector3d min = Eigen::Vector3d::Zero(), max = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> step;
+  std::optional<AdaptiveSampling> adaptive;
+};
+
 /// One step for all axes, or a list of three.
-void read_step(Reader& reader, const Place& at, VolumeSampling& out) {
+void read_step(Reader& reader, const Place& at, Volume& out) {
   const bool list = at.node().kind == Node::Kind::list;
   const std::size_t before = reader.findings.errors();
+  Eigen::Vector3d& step = out.step.emplace(Eigen::Vector3d::Ones());
   if (list) {
-    read_vector(reader, at, out.step);
-  } else if (const auto step = reader.number(at, "m")) {
-    out.step.setConstant(*step);
+    read_vector(reader, at, step);
+  } else if (const auto all = reader.number(at, "m")) {
+    step.setConstant(*all);
   }
   if (reader.findings.errors() != before) return;
   for (std::size_t i = 0; i < (list ? 3 : 1); ++i) {
-    if (out.step[static_cast<Eigen::Index>(i)] > 0) continue;
+    if (step[static_cast<Eigen::Index>(i)] > 0) continue;
     constexpr const char* kProblem = "must be above 0";
     if (list)
       reader.error(Place(at, kAxes[i], at.node().items[i]), kProblem);
@@ -33,40 +45,130 @@ void read_step(Reader& reader, const Place& at, VolumeSampling& out) {
   }
 }
 
-constexpr std::array<Key<VolumeSampling>, 4> kVolumeKeys = {{
-    {"min", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.min); },
-     [](const VolumeSampling& v) -> Written { return vector_node(v.min); }},
-    {"max", Need::required, "opposite corner [x, y, z], metres",
-     [](Reader& r, const Place& p, VolumeSampling& v) { read_vector(r, p, v.max); },
-     [](const VolumeSampling& v) -> Written { return vector_node(v.max); }},
-    {"step", Need::required, "distance of samples, metres: a number or [x, y, z]",
-     read_step,
-     [](const VolumeSampling& v) -> Written {
-       if (v.step.x() == v.step.y() && v.step.y() == v.step.z())
-         return to_node(v.step.x());
-       return vector_node(v.step);
+Written write_if(const std::optional<double>& value) {
+  if (!value) return std::nullopt;
+  return to_node(*value);
+}
+
+constexpr std::array<Key<AdaptiveSampling>, 6> kAdaptiveKeys = {{
+    {"tolerance", Need::optional, "relative error of the metric, such as 2 %",
+     [](Reader& r, const Place& p, AdaptiveSampling& a) {
+       const auto tolerance = r.number(p, "1");
+       if (!tolerance) return;
+       if (!(*tolerance > 0 && *tolerance < 1))
+         r.error(p, "must be above 0 and below 1, such as 2 %");
+       a.tolerance = *tolerance;
+     },
+     [](const AdaptiveSampling& a) -> Written { return to_node(a.tolerance); }},
+    {"depth", Need::optional, "how often the box may be halved, 1 to 12",
+     [](Reader& r, const Place& p, AdaptiveSampling& a) {
+       if (const auto depth = r.integer(p, 1, 12)) a.depth = *depth;
+     },
+     [](const AdaptiveSampling& a) -> Written { return to_node(a.depth); }},
+    {"evaluations", Need::optional, "stop after about so many",
+     [](Reader& r, const Place& p, AdaptiveSampling& a) {
+       const auto most = r.integer(p, 1, std::numeric_limits<int>::max());
+       if (most) a.evaluations = *most;
+     },
+     [](const AdaptiveSampling& a) -> Written {
+       if (!a.evaluations) return std::nullopt;
+       return to_node(static_cast<int>(*a.evaluations));
      }},
-    {"adaptive", Need::later, "refinement where the field bends"},
+    {"seconds", Need::optional, "stop after about so long",
+     [](Reader& r, const Place& p, AdaptiveSampling& a) {
+       const auto seconds = r.number(p, "s");
+       if (!seconds) return;
+       if (!(*seconds > 0)) r.error(p, "must be above 0");
+       a.seconds = *seconds;
+     },
+     [](const AdaptiveSampling& a) { return write_if(a.seconds); }},
+    {"near", Need::optional, "refine only around this value of the metric", nullptr,
+     [](const AdaptiveSampling& a) { return write_if(a.near_value); }},
+    {"within", Need::optional, "refine only in this box: its corners min and max",
+     [](Reader& r, const Place& p, AdaptiveSampling& a) {
+       if (const auto box = read_box(r, p)) a.within.emplace(box->min, box->max);
+     },
+     [](const AdaptiveSampling& a) -> Written {
+       if (!a.within) return std::nullopt;
+       return write_box({a.within->min(), a.within->max()});
+     }},
 }};
 
+constexpr std::array<Key<Volume>, 4> kVolumeKeys = {{
+    {"min", Need::required, "corner [x, y, z], metres",
+     [](Reader& r, const Place& p, Volume& v) { read_vector(r, p, v.min); },
+     [](const Volume& v) -> Written { return vector_node(v.min); }},
+    {"max", Need::required, "opposite corner [x, y, z], metres",
+     [](Reader& r, const Place& p, Volume& v) { read_vector(r, p, v.max); },
+     [](const Volume& v) -> Written { return vector_node(v.max); }},
+    {"step", Need::optional, "distance of samples, metres: a number or [x, y, z]",
+     read_step,
+     [](const Volume& v) -> Written {
+       if (!v.step) return std::nullopt;
+       if (v.step->x() == v.step->y() && v.step->y() == v.step->z())
+         return to_node(v.step->x());
+       return vector_node(*v.step);
+     }},
+    {"adaptive", Need::optional, "samples only where the field needs them",
+     [](Reader& r, const Place& p, Volume& v) {
+       read_map(r, p, kAdaptiveKeys, v.adaptive.emplace());
+     },
+     [](const Volume& v) -> Written {
+       if (!v.adaptive) return std::nullopt;
+       return write_map(kAdaptiveKeys, *v.adaptive);
+     }},
+}};
+
+/// Exactly one key says where the samples are.
+void check_density(Reader& reader, const Place& at) {
+  const Node* step = at.node().find("step");
+  const Node* adaptive = at.node().find("adaptive");
+  if (step && adaptive)
+    reader.error_within(at, adaptive->mark, "adaptive",
+                        "the samples are given by 'step' already; keep one");
+  else if (!step && !adaptive)
+    reader.error_within(at, at.node().mark, "step",
+                        "missing: distance of samples, metres: a number or [x, y, z]; "
+                        "or give 'adaptive'");
+}
+
 /// The corners must be in order, and the step must make a countable number of samples.
-bool check_box(Reader& reader, const Place& at, const VolumeSampling& v) {
-  bool good = true;
+void check_box(Reader& reader, const Place& at, const Volume& v) {
+  const std::size_t before = reader.findings.errors();
   const Place max(at, "max", *at.node().find("max"));
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    if (v.max[axis] >= v.min[axis]) continue;
     const Node& item = max.node().items[i];
-    reader.error(Place(max, kAxes[i], item),
-                 item.text + " is below min; exchange them");
-    good = false;
+    if (v.max[axis] < v.min[axis])
+      reader.error(Place(max, kAxes[i], item),
+                   item.text + " is below min; exchange them");
+    else if (v.adaptive && v.max[axis] == v.min[axis])
+      reader.error(
+          Place(max, kAxes[i], item),
+          item.text + " is min too; adaptive samples need a box, so give a step");
   }
   // A number of steps that isn't a double leaves nothing to count or to suggest.
-  if (((v.max - v.min).array() / v.step.array()).isFinite().all()) return good;
-  reader.error(Place(at, "step", *at.node().find("step")), "is too small for this box");
-  return false;
+  const Eigen::Vector3d extent = v.max - v.min;
+  if (v.step && !(extent.array() / v.step->array()).isFinite().all())
+    reader.error(Place(at, "step", *at.node().find("step")),
+                 "is too small for this box");
+  if (!v.adaptive || reader.findings.errors() != before) return;
+  const Place adaptive(at, "adaptive", *at.node().find("adaptive"));
+  if (!extent.allFinite())
+    reader.error(max, "is further from min than a double can tell");
+  if (v.adaptive->within &&
+      !v.adaptive->within->intersects(Eigen::AlignedBox3d(v.min, v.max)))
+    reader.error_within(adaptive, adaptive.node().find("within")->mark, "within",
+                        "is outside of the volume");
 }
+
+// ---- mesh ----
+
+constexpr std::array<Key<MeshShape>, 2> kMeshKeys = {{
+    {"file", Need::required, "a .off, .obj, .ply or .stl file, relative to the scene",
+     read_mesh_file, [](const MeshShape& m) -> Written { return to_node(m.file); }},
+    {"scale", Need::optional, "metres per unit of the file", read_scale, write_scale},
+}};
 
 // ---- plane ----
 
@@ -102,13 +204,39 @@ constexpr std::array<Key<PlaneSampling>, 4> kPlaneKeys = {{
 
 }  // namespace
 
-std::optional<VolumeSampling> read_volume(Reader& reader, const Place& at) {
+std::optional<std::variant<VolumeSampling, AdaptiveSampling>> read_volume(
+    Reader& reader, const Place& at) {
   const std::size_t before = reader.findings.errors();
-  VolumeSampling volume{{0, 0, 0}, {0, 0, 0}, {1, 1, 1}};
-  read_map(reader, at, kVolumeKeys, volume);
-  if (reader.findings.errors() != before || !check_box(reader, at, volume))
-    return std::nullopt;
-  return volume;
+  Volume volume;
+  if (read_map(reader, at, kVolumeKeys, volume)) check_density(reader, at);
+  if (reader.findings.errors() == before) check_box(reader, at, volume);
+  if (reader.findings.errors() != before) return std::nullopt;
+  if (volume.step) return VolumeSampling{volume.min, volume.max, *volume.step};
+  volume.adaptive->min = volume.min;
+  volume.adaptive->max = volume.max;
+  return *volume.adaptive;
+}
+
+std::optional<MeshSampling> read_mesh_samples(Reader& reader, const Place& at) {
+  const std::size_t before = reader.findings.errors();
+  MeshShape mesh;
+  const bool map = at.node().kind == Node::Kind::map;
+  if (map)
+    read_map(reader, at, kMeshKeys, mesh);
+  else
+    read_mesh_file(reader, at, mesh);
+  if (reader.findings.errors() != before) return std::nullopt;
+  check_mesh_size(reader, map ? Place(at, "file", *at.node().find("file")) : at, mesh);
+  if (reader.findings.errors() != before) return std::nullopt;
+  return MeshSampling{std::move(mesh)};
+}
+
+std::optional<double> read_near_value(Reader& reader, const Place& at,
+                                      std::string_view unit) {
+  const auto value = reader.number(at, unit);
+  if (!value || *value > 0) return value;
+  reader.error(at, "must be above 0");
+  return std::nullopt;
 }
 
 std::optional<PlaneSampling> read_plane(Reader& reader, const Place& at) {
@@ -120,8 +248,15 @@ std::optional<PlaneSampling> read_plane(Reader& reader, const Place& at) {
 }
 
 Node write_volume(const VolumeSampling& volume) {
-  return write_map(kVolumeKeys, volume);
+  return write_map(kVolumeKeys, Volume{volume.min, volume.max, volume.step, {}});
+}
+Node write_volume(const AdaptiveSampling& volume) {
+  return write_map(kVolumeKeys, Volume{volume.min, volume.max, {}, volume});
 }
 Node write_plane(const PlaneSampling& plane) { return write_map(kPlaneKeys, plane); }
+Node write_mesh_samples(const MeshSampling& mesh) {
+  if (mesh.surface.scale == 1) return to_node(mesh.surface.file);
+  return write_map(kMeshKeys, mesh.surface);
+}
 
 }  // namespace delos

@@ -1,7 +1,9 @@
-// Grids and parallelograms of samples: the keys of `volume` and `plane`.
+// Shapes of samples: the keys of `volume`, `plane` and `mesh`.
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <variant>
 
 #include "delos/scene/scene.h"
 #include "scene/keys.h"
@@ -9,11 +11,19 @@
 namespace delos {
 
 // nullopt: there is a finding.
-[[nodiscard]] std::optional<VolumeSampling> read_volume(Reader& reader,
-                                                        const Place& at);
+[[nodiscard]] std::optional<std::variant<VolumeSampling, AdaptiveSampling>> read_volume(
+    Reader& reader, const Place& at);
 [[nodiscard]] std::optional<PlaneSampling> read_plane(Reader& reader, const Place& at);
+[[nodiscard]] std::optional<MeshSampling> read_mesh_samples(Reader& reader,
+                                                            const Place& at);
+
+/// A value of the metric, above 0. @returns nullopt where there is a finding.
+[[nodiscard]] std::optional<double> read_near_value(Reader& reader, const Place& at,
+                                                    std::string_view unit);
 
 [[nodiscard]] Node write_volume(const VolumeSampling& volume);
+[[nodiscard]] Node write_volume(const AdaptiveSampling& volume);
+[[nodiscard]] Node write_mesh_samples(const MeshSampling& mesh);
 [[nodiscard]] Node write_plane(const PlaneSampling& plane);
 
 }  // namespace delos

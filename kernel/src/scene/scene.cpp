@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "scene/words.h"
 
@@ -26,7 +27,40 @@ Pose pose_of(const Placement& placement) {
   return pose;
 }
 
+bool operator==(const AdaptiveSampling& a, const AdaptiveSampling& b) {
+  const auto same_box = [](const auto& p, const auto& q) {
+    return p.has_value() == q.has_value() &&
+           (!p || (p->min() == q->min() && p->max() == q->max()));
+  };
+  return a.min == b.min && a.max == b.max && a.tolerance == b.tolerance &&
+         a.depth == b.depth && a.evaluations == b.evaluations &&
+         a.seconds == b.seconds && a.near_value == b.near_value &&
+         same_box(a.within, b.within);
+}
+
+namespace {
+
+Pose mounted_pose(const Scene& scene, const DeviceEntry& device) {
+  const auto surface = std::find_if(
+      scene.surfaces.begin(), scene.surfaces.end(),
+      [&](const SurfaceEntry& s) { return s.name == device.mounting->surface; });
+  if (surface == scene.surfaces.end()) std::abort();
+  const auto point = mount_point(*surface, device.mounting->coordinates);
+  if (!point)
+    throw std::domain_error(device.name + ": the ray from its coordinates on '" +
+                            surface->name + "' hits nothing");
+  Placement placement = device.placement;
+  placement.at = point->p;
+  Pose X_WS = pose_of(placement);
+  if (point->normal && std::holds_alternative<std::monostate>(placement.facing))
+    X_WS.R = rotation_from_aim(Eigen::Vector3d::Zero(), *point->normal);
+  return X_WS;
+}
+
+}  // namespace
+
 Pose device_pose(const Scene& scene, const DeviceEntry& device) {
+  if (device.mounting) return mounted_pose(scene, device);
   const Pose X_GS = pose_of(device.placement);
   if (device.group.empty()) return X_GS;
   const auto group =

@@ -7,7 +7,9 @@
 #include "scene/device_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/node_text.h"
+#include "scene/occluder_keys.h"
 #include "scene/sample_keys.h"
+#include "scene/surface_keys.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -21,7 +23,7 @@ constexpr int kFormat = 1;
 /// A scene while it is read.
 struct Draft {
   Scene scene;
-  bool motion_known = false;
+  Known known;
 };
 
 void read_format(Reader& reader, const Place& at, Draft&) {
@@ -46,8 +48,15 @@ constexpr std::array<Key<Scene>, 1> kTargetKeys = {{
 
 // ---- the scene ----
 
-// Read in this order: devices need the groups and the motion's state.
-constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
+void read_skin(Reader& reader, const Place& at, Draft& out) {
+  const auto skin = reader.number(at, "m");
+  if (!skin) return;
+  if (*skin < 0) reader.error(at, "must not be below 0");
+  out.scene.skin = *skin;
+}
+
+// Read in this order: devices need the groups, the surfaces and the motion's state.
+constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const Draft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -62,7 +71,7 @@ constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
      [](Reader& r, const Place& p, Draft& d) {
        const std::size_t before = r.findings.errors();
        read_motion(r, p, d.scene.motion);
-       d.motion_known = r.findings.errors() == before;
+       d.known.motion = r.findings.errors() == before;
      },
      [](const Draft& d) -> Written { return write_motion(d.scene.motion); }},
     {"fusion", Need::optional, "how the measurements of several devices come together",
@@ -92,7 +101,7 @@ constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
        if (!metric) return;
        const auto known = parse_metric(*metric, d.scene.motion.layout);
        const auto* problem = std::get_if<std::string>(&known);
-       if (problem && d.motion_known) r.error(p, *problem);
+       if (problem && d.known.motion) r.error(p, *problem);
        d.scene.metric = std::move(*metric);
      },
      [](const Draft& d) -> Written { return to_node(d.scene.metric); }},
@@ -108,13 +117,40 @@ constexpr std::array<Key<Draft>, 16> kSceneKeys = {{
        if (d.scene.groups.empty()) return std::nullopt;
        return write_groups(d.scene.groups);
      }},
-    {"devices", Need::required, "what measures",
+    {"surfaces", Need::optional, "what devices are mounted on",
      [](Reader& r, const Place& p, Draft& d) {
-       read_devices(r, p, d.motion_known, d.scene);
+       const std::size_t before = r.findings.errors();
+       read_surfaces(r, p, d.scene.surfaces);
+       d.known.surfaces = r.findings.errors() == before;
      },
+     [](const Draft& d) -> Written {
+       if (d.scene.surfaces.empty()) return std::nullopt;
+       return write_surfaces(d.scene.surfaces);
+     }},
+    {"regions", Need::optional, "named bodies",
+     [](Reader& r, const Place& p, Draft& d) { read_regions(r, p, d.scene.regions); },
+     [](const Draft& d) -> Written {
+       if (d.scene.regions.empty()) return std::nullopt;
+       return write_regions(d.scene.regions);
+     }},
+    {"devices", Need::required, "what measures",
+     [](Reader& r, const Place& p, Draft& d) { read_devices(r, p, d.known, d.scene); },
      [](const Draft& d) -> Written { return write_devices(d.scene.devices); }},
+    {"occluders", Need::optional, "what blocks the sight",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_occluders(r, p, d.scene.occluders);
+     },
+     [](const Draft& d) -> Written {
+       if (d.scene.occluders.empty()) return std::nullopt;
+       return write_occluders(d.scene.occluders);
+     }},
+    {"skin", Need::optional,
+     "how near to the ends of a sight line nothing hides, metres", read_skin,
+     [](const Draft& d) -> Written {
+       if (d.scene.skin == Scene{}.skin) return std::nullopt;
+       return to_node(d.scene.skin);
+     }},
     {"beacons", Need::later, "sets of beacons for inside-out devices"},
-    {"occluders", Need::later, "what blocks the sight"},
     {"variables", Need::later, "what a search may change"},
     {"constraints", Need::later, "what a search must keep"},
     {"objective", Need::later, "what a search makes small"},
@@ -167,6 +203,15 @@ void check_orientations(Reader& reader, const Place& root) {
                         "are given inside 'sample' already; keep one");
 }
 
+/// The value that samples gather around is one of the metric, which is known only now.
+void read_near_metric(Reader& reader, const Place& root, Draft& draft) {
+  const Node* sample = root.node().find("sample");
+  if (!sample || !draft.known.motion) return;
+  const auto metric = parse_metric(draft.scene.metric, draft.scene.motion.layout);
+  if (const auto* known = std::get_if<Metric>(&metric))
+    read_near(reader, Place(root, "sample", *sample), known->unit, draft.scene);
+}
+
 }  // namespace
 
 Scene read_scene(Reader& reader, const Node& root) {
@@ -178,16 +223,15 @@ Scene read_scene(Reader& reader, const Node& root) {
   }
   if (!read_map(reader, place, kSceneKeys, draft)) return {};
   check_orientations(reader, place);
+  read_near_metric(reader, place, draft);
   const bool rates_known =
       !draft.scene.devices.empty() &&
       std::all_of(draft.scene.devices.begin(), draft.scene.devices.end(),
                   [](const DeviceEntry& d) { return d.rate > 0; });
-  if (draft.motion_known && rates_known) check_fusion(reader, place, draft.scene);
+  if (draft.known.motion && rates_known) check_fusion(reader, place, draft.scene);
   return std::move(draft.scene);
 }
 
-Node scene_node(const Scene& scene) {
-  return write_map(kSceneKeys, Draft{scene, true});
-}
+Node scene_node(const Scene& scene) { return write_map(kSceneKeys, Draft{scene, {}}); }
 
 }  // namespace delos

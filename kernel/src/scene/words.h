@@ -22,6 +22,12 @@ inline constexpr std::pair<const char*, CovarianceKind> kCovarianceWords[] = {
 inline constexpr std::pair<const char*, OrientationRule> kOrientationRuleWords[] = {
     {"worst", OrientationRule::worst},
     {"mean", OrientationRule::mean},
+    {"information", OrientationRule::information},
+};
+
+inline constexpr std::pair<const char*, Mount> kMountWords[] = {
+    {"world", Mount::world},
+    {"target", Mount::target},
 };
 
 inline constexpr std::pair<const char*, PoseState> kPoseStateWords[] = {

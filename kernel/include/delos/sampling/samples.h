@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,8 +23,15 @@ struct GridShape {
 
 /// A parallelogram of samples: u varies fastest.
 struct PlaneShape {
-  Eigen::Vector3d origin, u, v;  ///< metres; the far edges are origin + u and origin + v
-  Eigen::Vector2i counts;        ///< samples along u and v, ≥ 1
+  Eigen::Vector3d origin, u,
+      v;                   ///< metres; the far edges are origin + u and origin + v
+  Eigen::Vector2i counts;  ///< samples along u and v, ≥ 1
+};
+
+/// The vertices of a mesh.
+struct SurfaceShape {
+  /// Corners as indices of the part's samples, from 0.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
 /// Samples with no neighbours.
@@ -31,10 +39,10 @@ struct ScatteredShape {};
 
 /// One sample set of the scene: a range of the points and how they hang together.
 struct SamplePart {
-  std::string name;        ///< may be empty
-  std::size_t first = 0;   ///< index of its first point
-  std::size_t count = 0;   ///< number of points, ≥ 1
-  std::variant<GridShape, PlaneShape, ScatteredShape> shape;
+  std::string name;       ///< may be empty
+  std::size_t first = 0;  ///< index of its first point
+  std::size_t count = 0;  ///< number of points, ≥ 1
+  std::variant<GridShape, PlaneShape, ScatteredShape, SurfaceShape> shape;
 };
 
 /// All sample points of a scene, part after part.
@@ -44,10 +52,13 @@ struct Samples {
 };
 
 /// Number of samples of a set, without making them. Saturates at the largest int64.
+/// 0 of an adaptive one, whose samples aren't known before the field.
 [[nodiscard]] DELOS_API std::int64_t sample_count(const SampleSet& set);
 
 /// Make the points. Grids include both ends where the step divides the box.
 /// @pre every set has at least one sample and they fit in memory
+/// @throws std::invalid_argument one sentence: a set is adaptive, so that its samples
+///         are chosen while a field is evaluated
 [[nodiscard]] DELOS_API Samples make_samples(const std::vector<SampleSet>& sets);
 
 }  // namespace delos
