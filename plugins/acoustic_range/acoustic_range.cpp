@@ -54,6 +54,13 @@ class AcousticRange final : public delos::Device {
     return true;
   }
 
+  delos::View view_of_ball(const Eigen::Vector3d& center,
+                           double radius) const override {
+    const double near = center.norm() - radius, far = center.norm() + radius;
+    if (near > reach_) return delos::View::outside;
+    return near > 0 && far < reach_ ? delos::View::inside : delos::View::crossing;
+  }
+
  private:
   double r_;      // dimensionless
   double reach_;  // m

@@ -14,6 +14,7 @@
 // performance of tracking and motion capture systems", VRST '05, §3.3.
 #include <delos/plugin.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -121,6 +122,22 @@ class PinholeCamera final : public delos::Device {
           constant_ + growing_ * (x * x + y * y + z * z);
     }
     return true;
+  }
+
+  // The frustum is convex: a ball is inside where it is on the inner side of all six
+  // planes, and outside where it is beyond one of them. The sides pass through the
+  // origin: u ≤ u_max where u_max z − x ≥ 0.
+  delos::View view_of_ball(const Eigen::Vector3d& center,
+                           double radius) const override {
+    const double x = std::abs(center.x()), y = std::abs(center.y()), z = center.z();
+    const double depth = std::min(z - near_, far_ - z);
+    const double side_u = (u_max_ * z - x) / std::hypot(u_max_, 1);
+    const double side_v = (v_max_ * z - y) / std::hypot(v_max_, 1);
+    const double inner = std::min({depth, side_u, side_v});
+    // Rounding may not turn a touch into a certainty.
+    const double sure = radius + 1e-9 * (center.norm() + far_);
+    if (inner < -sure) return delos::View::outside;
+    return inner > sure ? delos::View::inside : delos::View::crossing;
   }
 
  private:

@@ -231,6 +231,31 @@ TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
   }
 }
 
+// What a device says of a ball holds at points of it.
+TEST_P(DeviceContract, ViewsOfBallsHoldForTheirPoints) {
+  if (device_->span() != Span::point) return;
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int decided = 0;
+  for (const Target& center : cloud(*device_, 1000)) {
+    const double radius = 0.3 * uniform(random) * center.p_ST.norm();
+    const View view = device_->view_of_ball(center.p_ST, radius);
+    if (view == View::unknown || view == View::crossing) continue;
+    ++decided;
+    for (int i = 0; i < 30; ++i) {
+      const Eigen::Vector3d way(normal(random), normal(random), normal(random));
+      Target at = center;
+      at.p_ST += radius * way.normalized();
+      Observation out;
+      ASSERT_EQ(device_->observe(at, out), view == View::inside) << at.p_ST.transpose();
+    }
+  }
+  if (device_->view_of_ball({0, 0, 1}, 0) != View::unknown) {
+    EXPECT_GT(decided, 100);
+  }
+}
+
 TEST_P(DeviceContract, TakesNothingFromTheHeap) {
   const std::vector<Target> targets = cloud(*device_, 1000);
   Observation out;

@@ -31,7 +31,7 @@ class TestRange : public Device {
 };
 
 /// The same with the entry for many points.
-class TestLaneRange final : public TestRange {
+class TestLaneRange : public TestRange {
  public:
   using TestRange::TestRange;
   bool observe_lanes(const PointLanes& points, RowLanes& out) const override {
@@ -44,6 +44,11 @@ class TestLaneRange final : public TestRange {
       out.variance[0][l] = r_ * range * range;
     }
     return true;
+  }
+  View view_of_ball(const Eigen::Vector3d& center, double radius) const override {
+    if (center.norm() - radius > reach_) return View::outside;
+    const bool inside = center.norm() > radius && center.norm() + radius < reach_;
+    return inside ? View::inside : View::crossing;
   }
 };
 

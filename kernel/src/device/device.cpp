@@ -8,4 +8,8 @@ Device::~Device() = default;
 
 bool Device::observe_lanes(const PointLanes&, RowLanes&) const { return false; }
 
+View Device::view_of_ball(const Eigen::Vector3d&, double) const {
+  return View::unknown;
+}
+
 }  // namespace delos

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "delos/field/system.h"
+#include "field/sight.h"
 
 namespace delos {
 
@@ -39,6 +40,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
   const bool orientation = layout.pose != PoseState::position;
   const int theta = layout.positions();  // column of δθ
   const Eigen::Matrix3d R_SW = placed.X_WS.R.transpose();
+  const bool may_hide = may_be_hidden(system, placed);
   Target& target = scratch.target;
   Observation& o = scratch.observation;
 
@@ -49,6 +51,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
         const Eigen::Vector3d arm = X_WT.R * marker;  // in W, from the target's origin
         target.p_ST.noalias() = R_SW * (X_WT.p + arm - placed.X_WS.p);
         if (!placed.device->observe(target, o)) continue;
+        if (may_hide && !in_sight(system, placed, X_WT, arm)) continue;
         seen = true;
         scratch.rows.resize(o.H.rows(), columns);
         if (position) turn(o, 0, R_SW, 0, scratch.rows);
@@ -67,6 +70,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
       target.R_ST.noalias() = R_SW * X_WT.R;
       if (!placed.device->observe(target, o)) return false;
+      if (may_hide && !in_sight(system, placed, X_WT, {0, 0, 0})) return false;
       scratch.rows.setZero(o.H.rows(), columns);
       const int orders = placed.device->span() == Span::pose ? 1 : layout.order;
       for (int k = 0; k < orders; ++k) {
@@ -81,6 +85,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       target.R_ST.noalias() = R_SW * X_WT.R;
       target.state.setZero(layout.size());
       if (!placed.device->observe(target, o)) return false;
+      if (may_hide && !in_sight(system, placed, X_WT, {0, 0, 0})) return false;
       scratch.rows = o.H;
       visit(scratch.rows, o.R);
       return true;

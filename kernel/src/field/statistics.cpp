@@ -7,18 +7,29 @@
 namespace delos {
 namespace {
 
-/// The p-quantile of sorted values, linear between order statistics:
+struct Weighted {
+  double value, weight;
+};
+
+/// The p-quantile of sorted values, linear between order statistics; for n equal
+/// weights
 ///
 ///   h = p (n − 1),   q = x_⌊h⌋ + (h − ⌊h⌋) (x_⌊h⌋₊₁ − x_⌊h⌋)
 ///
 /// Source: Hyndman & Fan (1996), The American Statistician 50(4), 361–365, definition
-/// 7;
-///         the default of numpy and R.
-double quantile(const std::vector<double>& sorted, double p) {
-  const double h = p * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(h);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return std::lerp(sorted[below], sorted[above], h - static_cast<double>(below));
+/// 7; the default of numpy and R. With weights, neighbours are the mean of their
+/// weights apart.
+double quantile(const std::vector<Weighted>& sorted, double p) {
+  double length = -(sorted.front().weight + sorted.back().weight) / 2;
+  for (const Weighted& at : sorted) length += at.weight;
+  double left = p * length;
+  for (std::size_t k = 0; k + 1 < sorted.size(); ++k) {
+    const double step = (sorted[k].weight + sorted[k + 1].weight) / 2;
+    if (left < step)
+      return std::lerp(sorted[k].value, sorted[k + 1].value, left / step);
+    left -= step;
+  }
+  return sorted.back().value;
 }
 
 }  // namespace
@@ -26,24 +37,36 @@ double quantile(const std::vector<double>& sorted, double p) {
 FieldStatistics summarize_range(const Field& field, std::size_t first,
                                 std::size_t count) {
   FieldStatistics s;
-  s.samples = count;
-  std::vector<double> finite;
+  std::vector<Weighted> finite;
   finite.reserve(count);
-  double sum = 0;
+  double sum = 0, weight = 0, blind = 0;
   for (std::size_t i = first; i < first + count; ++i) {
+    if (!field.inside.empty() && field.inside[i]) {
+      ++s.inside;
+      continue;
+    }
+    ++s.samples;
     if (field.observable[i] != 0) ++s.observable;
+    if (!field.lost.empty() && field.lost[i] == 1) ++s.one_short;
+    const double w = field.weight.empty() ? 1 : field.weight[i];
     const double value = field.value[i];
-    if (!std::isfinite(value)) continue;
+    if (!std::isfinite(value)) {
+      blind += w;
+      continue;
+    }
     if (finite.empty() || value < s.min.value) s.min = {value, field.samples.points[i]};
     if (finite.empty() || value > s.max.value) s.max = {value, field.samples.points[i]};
-    sum += value;
-    finite.push_back(value);
+    sum += w * value;
+    weight += w;
+    finite.push_back({value, w});
   }
   s.finite = finite.size();
+  if (blind > 0) s.blind_fraction = blind / (blind + weight);
   if (finite.empty()) return s;
 
-  std::sort(finite.begin(), finite.end());
-  s.mean = sum / static_cast<double>(finite.size());
+  std::sort(finite.begin(), finite.end(),
+            [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  s.mean = sum / weight;
   s.median = quantile(finite, 0.5);
   s.p95 = quantile(finite, 0.95);
   return s;

@@ -20,6 +20,16 @@ std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
   return old.type == entry.type && old.params == entry.params ? old.device : nullptr;
 }
 
+/// The bodies of one mount, placed.
+Occluders placed_occluders(const Scene& scene, Mount mount) {
+  std::vector<TriangleMesh> bodies;
+  for (const OccluderEntry& entry : scene.occluders) {
+    if (entry.mount != mount) continue;
+    bodies.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
+  }
+  return bodies.empty() ? Occluders() : Occluders(bodies);
+}
+
 }  // namespace
 
 System build_system(const Scene& scene, PluginRegistry& plugins,
@@ -29,6 +39,15 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
   system.fusion = scene.fusion.value_or(default_fusion(scene));
   system.covariance = scene.covariance;
   system.markers = scene.markers;
+  system.skin = scene.skin;
+  system.occluders = scene.occluders;
+  if (previous && previous->occluders == scene.occluders) {
+    system.in_world = previous->in_world;
+    system.on_target = previous->on_target;
+  } else {
+    system.in_world = placed_occluders(scene, Mount::world);
+    system.on_target = placed_occluders(scene, Mount::target);
+  }
   system.devices.reserve(scene.devices.size());
   for (const DeviceEntry& entry : scene.devices) {
     PlacedDevice placed;

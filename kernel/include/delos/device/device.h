@@ -69,6 +69,14 @@ struct RowLanes {
   double variance[kMaxLaneRows][kLanes];  ///< of each row's noise; 0: perfect
 };
 
+/// Where something is with respect to what a device can see.
+enum class View {
+  outside,   ///< all of it is unseen
+  inside,    ///< all of it is in view
+  crossing,  ///< some of it may be, some not
+  unknown,   ///< the device doesn't say
+};
+
 /// A sensor or beacon. Knows its own frame S and nothing of the world: the kernel
 /// places it, tests the line of sight and turns H into the world frame.
 ///
@@ -92,6 +100,17 @@ class DELOS_API Device {
   /// @returns false where the device has no such way, as here: observe() is asked then.
   [[nodiscard]] virtual bool observe_lanes(const PointLanes& points,
                                            RowLanes& out) const;
+
+  /// Where a ball of points is with respect to the field of view and reach: what spares
+  /// looking at them one by one. Outside and inside must hold for every point of it.
+  /// @param center in S, metres
+  /// @param radius metres, ≥ 0
+  [[nodiscard]] virtual View view_of_ball(const Eigen::Vector3d& center,
+                                          double radius) const;
+
+  /// Whether what stands between the device's origin and the point hides it. By
+  /// default, devices that see points need to see them.
+  [[nodiscard]] virtual bool needs_sight() const { return span() == Span::point; }
 };
 
 }  // namespace delos

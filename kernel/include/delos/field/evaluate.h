@@ -30,8 +30,8 @@ struct FieldOptions {
 [[nodiscard]] DELOS_API std::string metric_problem(const System& system,
                                                    const Metric& metric);
 
-/// The poses of a field: every sample point in every orientation, orientations
-/// innermost.
+/// The poses of a field, kLanes points at a time: the points in the first orientation,
+/// then in the next. The last point stands in where the last kLanes aren't full.
 [[nodiscard]] DELOS_API std::vector<TargetPose> field_poses(
     const Samples& samples, const Orientations& orientations);
 

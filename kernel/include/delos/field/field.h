@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,17 @@ struct Field {
   Samples samples;            ///< where
   std::vector<double> value;  ///< one a point; +∞ where it has no finite value
   std::vector<unsigned char>
-      observable;               ///< one a point; 1: every direction is observed
+      observable;  ///< one a point; 1: every direction is observed
+  /// One a point: how many directions of the pose aren't observed; the most, of several
+  /// orientations. One: one more reading there would do.
+  std::vector<unsigned char> lost;
+  /// One a point, or empty where no solid is near; 1: within a solid, where no target
+  /// can be. Such points are in no statistics.
+  std::vector<unsigned char> inside;
+  /// One a point, or empty where all count alike: the volume that it stands for, m³.
+  std::vector<double> weight;
+  /// Of adaptive samples: 95th percentile over held-back points of |field/true − 1|.
+  std::optional<double> discretization_error;
   std::size_t evaluations = 0;  ///< poses at which the equation was solved
   int threads = 1;
   double seconds = 0;  ///< wall time of the evaluation
@@ -36,11 +47,15 @@ struct Extreme {
 
 /// Summary of a field over the samples at which the metric is finite.
 struct FieldStatistics {
-  std::size_t samples = 0;     ///< all
+  std::size_t samples = 0;     ///< all outside solids
+  std::size_t inside = 0;      ///< within solids: left out
   std::size_t observable = 0;  ///< every direction is observed
+  std::size_t one_short = 0;   ///< one direction isn't
   std::size_t finite = 0;  ///< the metric is finite: what the numbers below are over
   Extreme min, max;        ///< the first one where several are equal
-  double mean = 0, median = 0, p95 = 0;  ///< percentiles interpolate linearly
+  /// By volume, where samples have weights. Percentiles interpolate linearly.
+  double mean = 0, median = 0, p95 = 0;
+  double blind_fraction = 0;  ///< part, by weight, at which the metric isn't finite
 };
 
 /// @returns all zero but `samples` where no value is finite.

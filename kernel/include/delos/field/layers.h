@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "delos/api.h"
@@ -21,6 +23,8 @@ struct LayerBlock {
   std::vector<std::uint64_t> seen;  ///< one word a device: the lanes that it sees
   std::vector<std::uint64_t> perfect;  ///< likewise: lanes with rows of no noise
 };
+
+struct LayerShape;  // how the layers of a system are stored and weighted
 
 /// How layers are held.
 struct LayerOptions {
@@ -40,6 +44,10 @@ class DELOS_API InformationLayers {
   InformationLayers(const System& system, std::vector<TargetPose> poses,
                     const LayerOptions& options = {});
 
+  InformationLayers(InformationLayers&&) noexcept;
+  InformationLayers& operator=(InformationLayers&&) noexcept;
+  ~InformationLayers();
+
   /// Take over another state of the same rig, recomputing only the layers of devices
   /// that are new, moved or changed.
   /// @returns the number of layers that were recomputed (0 where layers are not kept).
@@ -58,19 +66,14 @@ class DELOS_API InformationLayers {
   const LayerBlock& block(std::size_t b, LayerBlock& scratch) const;
 
  private:
-  void observe(std::size_t b, std::size_t device, LayerBlock& block) const;
-  void sum_group(std::size_t group, LayerBlock& block) const;
-  void sum_total(LayerBlock& block) const;
+  [[nodiscard]] std::span<const TargetPose> poses_of(std::size_t b) const;
   void fill(std::size_t b, LayerBlock& block) const;
   void fill_all();
 
   System system_;
+  std::unique_ptr<LayerShape> shape_;
   std::vector<TargetPose> poses_;
   LayerOptions options_;
-  int columns_ = 0;  ///< information_size() of the system
-  int packed_ = 0;   ///< numbers in the lower triangle
-  std::vector<double>
-      weights_;  ///< one a device: 1, or 1/period for a rate of information
   bool kept_ = false;
   std::vector<LayerBlock> blocks_;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "delos/api.h"
+#include "delos/geometry/occluders.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/plugin/registry.h"
@@ -33,12 +34,16 @@ struct System {
   CovarianceKind covariance = CovarianceKind::prior;
   std::vector<Eigen::Vector3d> markers;  ///< in the target's frame, metres
   std::vector<PlacedDevice> devices;
+  std::vector<OccluderEntry> occluders;  ///< what the two below were made from
+  Occluders in_world;                    ///< what hides, in W
+  Occluders on_target;  ///< what hides and moves with the target, in its frame T
+  double skin = 1e-3;   ///< nothing hides so near to the ends of a sight line, metres
 };
 
 /// Create and place the devices of a scene.
 ///
 /// @param previous where given, its devices of equal type and parameters are reused, so
-///        that moving a device creates none.
+///        that moving a device creates none; likewise its occluders.
 /// @pre the scene came from load_scene(), or passed its checks
 /// @throws std::exception what a plugin's constructor throws for clashing values
 /// @throws std::runtime_error a plugin is missing or broken

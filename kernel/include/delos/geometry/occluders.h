@@ -70,6 +70,9 @@ class DELOS_API Occluders {
   /// overlap or have cavities; any other is judged by the parity of crossings.
   [[nodiscard]] bool contains(const Point& p) const;
 
+  /// Whether both are copies of the same.
+  friend bool operator==(const Occluders&, const Occluders&) = default;
+
   [[nodiscard]] std::size_t triangles() const;  ///< those not left out
   [[nodiscard]] std::uint32_t pieces() const;   ///< convex pieces
   [[nodiscard]] Box bounds() const;             ///< of all triangles; empty without any

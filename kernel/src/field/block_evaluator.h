@@ -1,0 +1,47 @@
+// A metric at the poses of one block of layers.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "field/metric_value.h"
+
+namespace delos {
+
+/// Metric and observability at one pose.
+struct PoseValue {
+  double value = std::numeric_limits<double>::infinity();
+  bool observable = false;
+  int lost = 0;  ///< directions of the pose that aren't observed
+};
+
+/// Evaluates the poses of one block; one a thread.
+class BlockEvaluator {
+ public:
+  /// What is passed is kept by reference.
+  BlockEvaluator(const FusionSolver& solver, const System& system,
+                 const Metric& metric);
+
+  /// @param poses, values block.lanes each
+  void operator()(const LayerBlock& block, const TargetPose* poses, PoseValue* values);
+
+ private:
+  PoseValue solved_value(const LayerBlock& block, int lane, const TargetPose& pose);
+
+  const FusionSolver& solver_;
+  const System& system_;
+  const Metric& metric_;
+  MetricNeed need_;
+  FusionSolver::Scratch scratch_;
+  std::vector<double> P_;
+  double value_[kLanes] = {};
+  int lost_[kLanes] = {};
+  FusedState state_;
+};
+
+/// The values of several orientations at one point become one.
+/// @param values `turns` of them, ≥ 1
+[[nodiscard]] PoseValue combined(const PoseValue* values, std::size_t turns,
+                                 OrientationRule rule, bool larger_is_better);
+
+}  // namespace delos

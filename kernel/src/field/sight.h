@@ -1,0 +1,33 @@
+// Sight lines between devices and markers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+
+#include "delos/field/system.h"
+
+namespace delos {
+
+/// What is known of a sight line before anybody looks along it.
+enum class Sight : std::uint8_t {
+  unknown,  ///< cast a ray
+  clear,    ///< nothing is in the way
+  hidden,   ///< something is
+};
+
+/// Whether the scene has anything that may hide the target from this device.
+[[nodiscard]] bool may_be_hidden(const System& system, const PlacedDevice& placed);
+
+/// Whether nothing stands between a device and a marker at `arm` from the target's
+/// origin, in W.
+[[nodiscard]] bool in_sight(const System& system, const PlacedDevice& placed,
+                            const TargetPose& X_WT, const Eigen::Vector3d& arm);
+
+/// The same for all positions of the target in a box at one orientation R_WT: clear and
+/// hidden hold for every one of them, unknown where they differ or nobody can say.
+[[nodiscard]] Sight sight_of_box(const System& system, const PlacedDevice& placed,
+                                 const Eigen::Matrix3d& R_WT,
+                                 const Eigen::Vector3d& arm,
+                                 const Eigen::AlignedBox3d& box);
+
+}  // namespace delos

@@ -1,0 +1,162 @@
+// What hides: rooms whose shadows are known in closed form.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "delos/geometry/primitives.h"
+#include "support/rigs.h"
+
+namespace delos {
+namespace {
+
+/// One device at the world's origin that sees points anywhere.
+System one_device(bool in_lanes = true) {
+  System system = testing::acoustic_system();
+  system.devices.resize(1);
+  system.devices[0].X_WS = {};
+  if (in_lanes) {
+    system.devices[0].device = std::make_shared<testing::TestLaneRange>(0.01);
+  }
+  return system;
+}
+
+Samples random_points(double half, int count) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> uniform(-half, half);
+  Samples samples;
+  for (int i = 0; i < count; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    samples.points.emplace_back(x, y, z);
+  }
+  samples.parts.push_back({"", 0, samples.points.size(), ScatteredShape{}});
+  return samples;
+}
+
+Field coverage(const System& system, const Samples& samples,
+               const Orientations& orientations = {}) {
+  return evaluate_field(system, samples, orientations,
+                        std::get<Metric>(parse_metric("coverage", system.motion.layout)));
+}
+
+/// A wall at x = 1 that begins at z = 0: behind it the shadow's plane is z = 0.
+System behind_a_wall(bool in_lanes) {
+  System system = one_device(in_lanes);
+  system.in_world = Occluders({make_box({1, -50, 0}, {1.01, 50, 50})});
+  return system;
+}
+
+TEST(Sight, AWallHidesTheHalfVolumeBehindItsEdge) {
+  for (const bool in_lanes : {true, false}) {
+    const System system = behind_a_wall(in_lanes);
+    const Samples samples = random_points(3, 5000);
+    const Field field = coverage(system, samples);
+    int hidden = 0;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+      const Eigen::Vector3d& p = samples.points[i];
+      if (p.x() > 1 && p.x() < 1.02) continue;  // within the wall
+      const bool expected = p.x() > 1 && p.z() > 0;
+      ASSERT_EQ(field.value[i], expected ? 0 : 1) << p.transpose();
+      hidden += expected;
+    }
+    EXPECT_GT(hidden, 500);
+  }
+}
+
+// A sphere of radius 0.5 at 2 m hides a cone of half angle asin(0.5/2) behind it. Its
+// mesh lies within 0.1 % of the sphere.
+TEST(Sight, ASphereCastsACone) {
+  System system = one_device();
+  Pose at;
+  at.p = {2, 0, 0};
+  system.in_world = Occluders({transformed(make_sphere(0.5, 5), at)});
+  const Samples samples = random_points(5, 20000);
+  const Field field = coverage(system, samples);
+  int hidden = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const Eigen::Vector3d& p = samples.points[i];
+    if (p.norm() < 2.6) continue;
+    const double sine = std::hypot(p.y(), p.z()) / p.norm();
+    if (std::abs(sine - 0.25) < 0.001) continue;
+    const bool expected = p.x() > 0 && sine < 0.25;
+    ASSERT_EQ(field.value[i], expected ? 0 : 1) << p.transpose();
+    hidden += expected;
+  }
+  EXPECT_GT(hidden, 50);
+}
+
+// The wall again, but carried by the target 10 cm in front of its marker: whether it is
+// between the two depends on where the target looks.
+TEST(Sight, AnOccluderOnTheTargetTurnsWithIt) {
+  System system = one_device();
+  system.on_target = Occluders({make_box({0.1, -0.5, -0.5}, {0.12, 0.5, 0.5})});
+  Samples samples;
+  samples.points = {{-2, 0, 0}, {2, 0, 0}};
+  samples.parts.push_back({"", 0, 2, ScatteredShape{}});
+  const auto at_heading = [&](double yaw) {
+    return coverage(system, samples, {.rpy = {{0, 0, yaw}}}).value;
+  };
+  EXPECT_EQ(at_heading(0), (std::vector<double>{0, 1}));
+  EXPECT_EQ(at_heading(std::numbers::pi), (std::vector<double>{1, 0}));
+}
+
+TEST(Sight, DevicesThatNeedNoneSeeThroughWalls) {
+  class Through final : public testing::TestLaneRange {
+   public:
+    using TestLaneRange::TestLaneRange;
+    bool needs_sight() const override { return false; }
+  };
+  System system = behind_a_wall(true);
+  system.devices[0].device = std::make_shared<Through>(0.01);
+  for (const double v : coverage(system, random_points(3, 500)).value) ASSERT_EQ(v, 1);
+}
+
+TEST(Sight, EndsOnASurfaceAreNotHiddenByIt) {
+  System system = one_device();
+  system.in_world = Occluders({make_box({1, -1, -1}, {2, 1, 1})});
+  Samples samples;
+  samples.points = {{1, 0.3, 0.2}, {2, 0.3, 0.2}};  // on the near and on the far side
+  samples.parts.push_back({"", 0, 2, ScatteredShape{}});
+  EXPECT_EQ(coverage(system, samples).value, (std::vector<double>{1, 0}));
+}
+
+// Seen in half of the headings, a point gets half of the information: as if every
+// variance were twice as large.
+TEST(Sight, MeanInformationScalesWithTheProbabilityOfBeingSeen) {
+  System system = testing::acoustic_system();
+  System noisier = testing::acoustic_system();
+  for (std::size_t i = 0; i < system.devices.size(); ++i) {
+    system.devices[i].device = std::make_shared<testing::TestLaneRange>(0.005);
+    noisier.devices[i].device = std::make_shared<testing::TestLaneRange>(0.01);
+  }
+  // A lid above the marker in the first orientation, below it in the second.
+  system.on_target = Occluders({make_box({-9, -9, 0.01}, {9, 9, 0.02})});
+  const Orientations both{.rpy = {{0, 0, 0}, {std::numbers::pi, 0, 0}},
+                          .combine = OrientationRule::information};
+  const Samples samples = testing::volume({0, 0, 0}, {0.4, 0.4, 0.8}, 0.1);
+  const Metric metric =
+      std::get<Metric>(parse_metric("eigmax", system.motion.layout));
+  const Field expected = evaluate_field(noisier, samples, {}, metric);
+  const Field mean = evaluate_field(system, samples, both, metric);
+  Orientations worst = both;
+  worst.combine = OrientationRule::worst;
+  const Field blind = evaluate_field(system, samples, worst, metric);
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    ASSERT_NEAR(mean.value[i], expected.value[i], 1e-10 * expected.value[i]);
+    ASSERT_TRUE(std::isinf(blind.value[i]));
+  }
+}
+
+TEST(Sight, PointsInsideSolidsAreCountedAndLeftOut) {
+  System system = one_device();
+  system.in_world = Occluders({make_box({1, -1, -1}, {2, 1, 1})});
+  Samples samples;
+  samples.points = {{1.5, 0, 0}, {0.5, 0, 0}, {3, 0, 0}};
+  samples.parts.push_back({"", 0, 3, ScatteredShape{}});
+  const FieldStatistics s = summarize(coverage(system, samples));
+  EXPECT_EQ(s.inside, 1u);
+  EXPECT_EQ(s.samples, 2u);
+  EXPECT_DOUBLE_EQ(s.mean, 0.5);
+}
+
+}  // namespace
+}  // namespace delos
