@@ -88,19 +88,25 @@ Failure unsolvable(const SceneOptions& options, const std::invalid_argument& err
   return {options.solver == "auto" ? kDiagnostics : kUsage, error.what()};
 }
 
+FieldOptions field_options(const SceneOptions& options, const Interrupt& interrupt,
+                           Progress& progress) {
+  FieldOptions all;
+  all.solver = solver_named(options.solver);
+  all.threads = options.threads;
+  all.cancel = &interrupt.requested();
+  all.progress = [&progress](std::size_t done, std::size_t of) {
+    progress.update(done, of);
+  };
+  return all;
+}
+
 Field evaluate(const LoadedScene& loaded, const Samples& samples,
                const SceneOptions& options, const Interrupt& interrupt) {
   Progress progress(loaded.scene.name);
-  FieldOptions field_options;
-  field_options.solver = solver_named(options.solver);
-  field_options.threads = options.threads;
-  field_options.cancel = &interrupt.requested();
-  field_options.progress = [&](std::size_t done, std::size_t all) {
-    progress.update(done, all);
-  };
   try {
-    Field field = evaluate_field(loaded.system, samples, loaded.scene.orientations,
-                                 loaded.metric, field_options);
+    Field field =
+        evaluate_field(loaded.system, samples, loaded.scene.orientations, loaded.metric,
+                       field_options(options, interrupt, progress));
     field.scene = loaded.scene.name;
     return field;
   } catch (const std::invalid_argument& error) {

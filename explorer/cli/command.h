@@ -13,6 +13,7 @@
 #include "delos/plugin/registry.h"
 #include "delos/scene/io.h"
 #include "interrupt.h"
+#include "progress.h"
 
 namespace delos::cli {
 
@@ -69,6 +70,13 @@ struct LoadedScene {
 /// --solver.
 [[nodiscard]] Failure unsolvable(const SceneOptions& options,
                                  const std::invalid_argument& error);
+
+/// How fields are evaluated by these options.
+/// @param interrupt, progress kept by reference
+/// @throws Failure kUsage
+[[nodiscard]] FieldOptions field_options(const SceneOptions& options,
+                                         const Interrupt& interrupt,
+                                         Progress& progress);
 
 /// Evaluate with progress on stderr and a clean end at Ctrl-C. The interrupt outlives
 /// the evaluation, so that writing the result isn't cut short either.

@@ -7,6 +7,7 @@
 #include "delos/output/format.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
+#include "evaluation.h"
 #include "json.h"
 
 namespace delos::cli {
@@ -76,7 +77,7 @@ int run(const CompareCommand& command) {
                                 metric.name + "; choose one for all with --metric"};
     }
   }
-  const Samples samples = make_samples(scenes.front().scene.samples);
+  Samples samples = planned_samples(scenes.front().scene);
   for (const auto& file : command.out) {
     if (const std::string problem = writable(samples, file); !problem.empty()) {
       throw Failure{kUsage, problem};
@@ -87,7 +88,13 @@ int run(const CompareCommand& command) {
   std::vector<Field> fields;
   std::vector<Comparison> comparisons;
   for (const LoadedScene& scene : scenes) {
-    fields.push_back(evaluate(scene, samples, command.options, interrupt));
+    if (fields.empty()) {
+      fields.push_back(evaluate_scene(scene, command.options, interrupt).field);
+      samples = fields.front().samples;
+    } else {
+      fields.push_back(evaluate(scene, samples, command.options, interrupt));
+      fields.back().weight = fields.front().weight;
+    }
     if (fields.back().cancelled) {
       std::cerr
           << "delos: stopped; a comparison needs every scene, nothing was written\n";

@@ -1,11 +1,16 @@
 // delos field: a metric over the samples of a scene.
+#include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "command.h"
+#include "delos/field/verify.h"
+#include "delos/output/format.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
 #include "delos/scene/units.h"
+#include "evaluation.h"
+#include "json.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -15,16 +20,58 @@ struct FieldCommand {
   SceneOptions options;
   std::filesystem::path scene;
   std::vector<std::filesystem::path> out;
-  bool log10 = false;
+  bool log10 = false, verify = false;
   std::string slice;
 };
+
+/// The observed order of accuracy of the scene's one sample set.
+Verification verify(const LoadedScene& loaded, const SceneOptions& options,
+                    const Interrupt& interrupt) {
+  Progress progress(loaded.scene.name + ", verification");
+  Verification v;
+  if (loaded.scene.samples.size() == 1) {
+    v = verify_sampling(loaded.system, loaded.scene.samples.front(),
+                        loaded.scene.orientations, loaded.metric,
+                        field_options(options, interrupt, progress));
+  }
+  if (v.resolutions.empty() && !interrupt.requested()) {
+    throw Failure{kUsage,
+                  "--verify needs one volume or plane of at least five samples along "
+                  "each axis, or an adaptive volume"};
+  }
+  return v;
+}
+
+Json to_json(const Verification& v) {
+  Json resolutions = Json::array();
+  for (const Resolution& r : v.resolutions) {
+    resolutions.push_back({{"spacing", number(r.spacing)},
+                           {"evaluations", r.evaluations},
+                           {"error", number(r.error)}});
+  }
+  return {{"resolutions", resolutions},
+          {"orders", {number(v.first_order), number(v.second_order)}}};
+}
+
+void print(std::ostream& out, const Verification& v, const std::string& unit) {
+  out << "Discretisation error, root mean square:\n";
+  for (const Resolution& r : v.resolutions) {
+    out << "  spacing " << format_quantity(r.spacing, "m") << ", "
+        << counted(r.evaluations, "evaluation") << ": "
+        << format_quantity(r.error, unit) << "\n";
+  }
+  if (v.resolutions.empty()) return;
+  out << "  observed order of accuracy " << std::setprecision(3) << v.first_order
+      << ", then " << v.second_order << "\n";
+}
 
 int run(const FieldCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
-  const Samples samples = make_samples(loaded.scene.samples);
+  const Samples samples = planned_samples(loaded.scene);
   for (const auto& file : command.out) {
-    if (const std::string problem = writable(samples, file); !problem.empty()) {
+    const std::string problem = drawable(loaded.scene, samples, file);
+    if (!problem.empty()) {
       throw Failure{kUsage, problem};
     }
   }
@@ -41,18 +88,32 @@ int run(const FieldCommand& command) {
   }
 
   const Interrupt interrupt;
-  const Field field = evaluate(loaded, samples, command.options, interrupt);
+  const Evaluation evaluation = evaluate_scene(loaded, command.options, interrupt);
+  const Field& field = evaluation.field;
   for (const auto& file : command.out) {
-    if (const std::string problem = write_field(field, file, picture);
+    if (const std::string problem =
+            write_evaluation(evaluation, loaded.scene, file, picture);
         !problem.empty()) {
       throw Failure{kDiagnostics, problem};
     }
   }
-  if (command.options.json) {
+  const Verification verification =
+      command.verify ? verify(loaded, command.options, interrupt) : Verification{};
+  if (command.options.json && command.verify) {
+    Json json = Json::parse(field_json(field));
+    json["verification"] = to_json(verification);
+    std::cout << json.dump(2) << "\n";
+  } else if (command.options.json) {
     std::cout << field_json(field);
   } else {
     print_summary(std::cout, loaded, field);
+    if (evaluation.octree) print_octree(std::cout, evaluation.octree->report());
+    if (command.verify) print(std::cout, verification, field.unit);
     for (const auto& file : command.out) std::cout << "wrote " << file.string() << "\n";
+  }
+  if (field.cancelled && evaluation.octree) {
+    std::cerr << "delos: stopped; the field is complete but coarser than was asked\n";
+    return kCancelled;
   }
   if (field.cancelled) {
     std::cerr << "delos: stopped after " << field.evaluated << " of "
@@ -70,10 +131,12 @@ void add_field_command(CLI::App& program, int& exit_code) {
   app->add_option("scene", command->scene, "Scene file")->required();
   add_scene_options(*app, command->options);
   app->add_option("--out", command->out,
-                  "Write .vti, .vtp, .csv, .json or .png; repeatable")
+                  "Write .vti, .vtu, .vtp, .csv, .json or .png; repeatable")
       ->allow_extra_args(false);
   app->add_option("--slice", command->slice,
                   "Height of the .png slice, for example 1.5 or '50 cm'");
+  app->add_flag("--verify", command->verify,
+                "Also the observed order of accuracy, from three resolutions");
   app->add_flag("--log10", command->log10, "Colours of the .png follow log10");
   app->footer(
       "Examples:\n"

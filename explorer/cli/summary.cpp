@@ -31,7 +31,10 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
                                                             : "a-posteriori")
       << " covariance, " << to_string(loaded.system.fusion) << " fusion, "
       << counted(loaded.system.devices.size(), "device") << "\n"
-      << counted(s.samples, "sample") << ", " << s.observable << " observable\n";
+      << counted(s.samples, "sample") << ", " << s.observable << " observable";
+  if (s.one_short > 0) out << ", " << s.one_short << " one direction short of it";
+  if (s.inside > 0) out << "; " << s.inside << " inside solids left out";
+  out << "\n";
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";
@@ -45,12 +48,27 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
       << "  median  " << value(s.median) << "\n"
       << "  95 %    " << value(s.p95) << "\n"
       << "  worst   " << value(worst.value) << "  at " << coordinates(worst.at) << "\n";
+  if (field.discretization_error) {
+    out << "  between the nodes, 95 % of the volume is within " << std::setprecision(2)
+        << 100 * *field.discretization_error << " %\n";
+  }
   if (field.unit == "m" || field.unit == "rad") {
     out << "This is scatter: a bias that the scene doesn't model comes on top.\n";
   }
   out << counted(field.evaluations, "evaluation") << " in " << std::setprecision(3)
       << field.seconds << " s on " << field.threads
       << (field.threads == 1 ? " thread\n" : " threads\n");
+}
+
+void print_octree(std::ostream& out, const AdaptiveReport& report) {
+  out << counted(report.leaves, "leaf cell") << " of " << report.levels
+      << " levels over " << counted(report.nodes, "node") << "; stopped by "
+      << to_string(report.stop) << "\n";
+  if (report.rays + report.rays_saved == 0) return;
+  out << counted(report.rays, "ray") << ", " << std::setprecision(3)
+      << 100 * static_cast<double>(report.rays_saved) /
+             static_cast<double>(report.rays + report.rays_saved)
+      << " % of the sight lines needed none\n";
 }
 
 }  // namespace delos::cli

@@ -4,6 +4,7 @@
 #include <iosfwd>
 
 #include "command.h"
+#include "delos/field/adaptive.h"
 
 namespace delos::cli {
 
@@ -12,5 +13,8 @@ namespace delos::cli {
 
 /// Where the field is best, typical and worst, and how it was computed.
 void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field);
+
+/// What adaptive sampling did: nodes, leaves, rays and why it ended.
+void print_octree(std::ostream& out, const AdaptiveReport& report);
 
 }  // namespace delos::cli

@@ -90,10 +90,12 @@ TEST(FieldOut, RefusesWhatCannotBeWritten) {
   const std::string kPoint = "sample={points: [[0, 0, 0]]}";
   const Refused table[] = {
       {"f.foo", "metric=eigmax",
-       "f.foo: '.foo' isn't a format that can be written; known are .vti .vtp .csv "
+       "f.foo: '.foo' isn't a format that can be written; known are .vti .vtu .vtp "
+       ".csv "
        ".json .png"},
       {"field", "metric=eigmax",
-       "field: no suffix to tell the format by; known are .vti .vtp .csv .json .png"},
+       "field: no suffix to tell the format by; known are .vti .vtu .vtp .csv .json "
+       ".png"},
       {"f.vti", kPoint,
        "f.vti: .vti holds a volume and these samples aren't one; .vtp takes any "
        "points"},

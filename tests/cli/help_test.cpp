@@ -44,7 +44,7 @@ TEST(Demo, EvaluatesTheLaboratory) {
   const Finished done = run({"demo", "--out", "lab.png"}, folder.path());
   EXPECT_EQ(done.code, 0) << done.err;
   // The scene's own counts: points that two cameras or more see.
-  EXPECT_NE(done.out.find("10296 samples, 10181 observable\n"), std::string::npos);
+  EXPECT_NE(done.out.find("10296 samples, 10181 observable, "), std::string::npos);
   EXPECT_NE(done.out.find("The picture: lab.png\n"), std::string::npos);
   EXPECT_NE(done.out.find("delos point ", done.out.find("Try next: ")),
             std::string::npos);

@@ -52,7 +52,7 @@ TEST(WriteField, WritesThroughASymbolicLink) {
 
 TEST(WriteField, ListsTheFormatsThatItKnows) {
   const Folder folder;
-  const std::string known = "known are .vti .vtp .csv .json .png";
+  const std::string known = "known are .vti .vtu .vtp .csv .json .png";
   expect_says(write_field(scattered({1}), folder / "f.xlsx"),
               {"f.xlsx", "'.xlsx'", known});
   expect_says(write_field(scattered({1}), folder / "f"), {"no suffix", known});

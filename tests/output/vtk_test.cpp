@@ -232,5 +232,47 @@ TEST(Vtp, OfNoSamplesIsAFile) {
       array<double>(read_xml(bytes_of(folder / "f.vtp")), "Points", "Float64").empty());
 }
 
+// An octree of one halved root: 27 nodes, eight voxels.
+TEST(Vtu, HoldsTheLeavesOfAnOctree) {
+  Field field = empty_field();
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> values;
+  for (int n = 0; n < 27; ++n) {
+    points.emplace_back(n % 3, n / 3 % 3, n / 9);
+    values.push_back(n == 13 ? kBlind : 0.5 + n);
+  }
+  OctreeShape octree;
+  for (std::uint32_t c = 0; c < 8; ++c) {
+    const std::uint32_t base = (c & 1) + 3 * (c >> 1 & 1) + 9 * (c >> 2);
+    octree.cells.push_back({base, base + 1, base + 3, base + 4, base + 9, base + 10,
+                            base + 12, base + 13});
+    octree.levels.push_back(1);
+  }
+  add_part(field, {"", 0, 0, octree}, points, values);
+  field.lost.assign(27, 0);
+  field.lost[13] = 2;
+
+  const Folder folder;
+  ASSERT_EQ(write_field(field, folder / "f.vtu"), "");
+  const std::vector<Element> xml = read_xml(bytes_of(folder / "f.vtu"));
+  EXPECT_EQ(find(xml, "VTKFile").attributes.at("type"), "UnstructuredGrid");
+  EXPECT_EQ(find(xml, "Piece").attributes.at("NumberOfPoints"), "27");
+  EXPECT_EQ(find(xml, "Piece").attributes.at("NumberOfCells"), "8");
+  expect_values(xml, field);
+  EXPECT_EQ(array<unsigned char>(xml, "lost directions", "UInt8"), field.lost);
+  EXPECT_EQ(array<std::int32_t>(xml, "level", "Int32"), octree.levels);
+  EXPECT_EQ(array<unsigned char>(xml, "types", "UInt8"),
+            std::vector<unsigned char>(8, 11));
+  const auto corners = array<std::int64_t>(xml, "connectivity", "Int64");
+  ASSERT_EQ(corners.size(), 64u);
+  for (std::size_t i = 0; i < 64; ++i) {
+    EXPECT_EQ(corners[i], octree.cells[i / 8][i % 8]);
+  }
+  EXPECT_EQ(array<std::int64_t>(xml, "offsets", "Int64"),
+            (std::vector<std::int64_t>{8, 16, 24, 32, 40, 48, 56, 64}));
+  EXPECT_NE(write_field(field, folder / "f.vti").find(".vtu takes them"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace delos

@@ -22,6 +22,8 @@ void add_statistics(Json& json, const FieldStatistics& s) {
   json["samples"] = s.samples;
   json["observable"] = s.observable;
   json["finite"] = s.finite;
+  json["one_short"] = s.one_short;
+  if (s.inside > 0) json["inside"] = s.inside;
   const bool any = s.finite > 0;
   json["min"] = any ? extreme_json(s.min) : Json();
   json["max"] = any ? extreme_json(s.max) : Json();
@@ -44,6 +46,8 @@ Json summary(const Field& field) {
       json["parts"].push_back(std::move(entry));
     }
   }
+  if (field.discretization_error)
+    json["discretization_error"] = *field.discretization_error;
   if (field.cancelled) json["cancelled"] = true;
   json["evaluations"] = field.evaluations;
   json["threads"] = field.threads;

@@ -57,6 +57,16 @@ void point_data(const Field& field, std::ostream& out) {
   data_array(out, "type=\"UInt8\" Name=\"observable\"", n, 1, [&](auto& data) {
     for (const unsigned char seen : field.observable) data.add(seen != 0);
   });
+  if (!field.lost.empty()) {
+    data_array(out, "type=\"UInt8\" Name=\"lost directions\"", n, 1, [&](auto& data) {
+      for (const unsigned char lost : field.lost) data.add(lost);
+    });
+  }
+  if (!field.inside.empty()) {
+    data_array(out, "type=\"UInt8\" Name=\"inside a solid\"", n, 1, [&](auto& data) {
+      for (const unsigned char inside : field.inside) data.add(inside);
+    });
+  }
   if (field.samples.parts.size() > 1) {
     data_array(out, "type=\"Int32\" Name=\"part\"", n, 4, [&](auto& data) {
       std::uint32_t number = 0;
@@ -86,6 +96,17 @@ void cells(std::ostream& out, const char* element,
   out << "      </" << element << ">\n";
 }
 
+void write_points(const Field& field, std::ostream& out) {
+  const std::vector<Eigen::Vector3d>& points = field.samples.points;
+  out << "      <Points>\n";
+  data_array(out, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"",
+             3 * points.size(), 8, [&](auto& data) {
+               for (const Eigen::Vector3d& point : points)
+                 for (const double coordinate : point) add_double(data, coordinate);
+             });
+  out << "      </Points>\n";
+}
+
 }  // namespace
 
 void write_vti(const Field& field, std::ostream& out) {
@@ -103,8 +124,7 @@ void write_vti(const Field& field, std::ostream& out) {
 }
 
 void write_vtp(const Field& field, std::ostream& out) {
-  const std::vector<Eigen::Vector3d>& points = field.samples.points;
-  const std::size_t n = points.size();
+  const std::size_t n = field.samples.points.size();
   // A vertex of a mesh is drawn by its triangles, any other sample as a dot.
   std::vector<std::uint64_t> dots, corners;
   for (const SamplePart& part : field.samples.parts) {
@@ -121,16 +141,43 @@ void write_vtp(const Field& field, std::ostream& out) {
       << dots.size() << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
       << corners.size() / 3 << "\">\n";
   point_data(field, out);
-  out << "      <Points>\n";
-  data_array(out, "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", 3 * n, 8,
-             [&](auto& data) {
-               for (const Eigen::Vector3d& point : points)
-                 for (const double coordinate : point) add_double(data, coordinate);
-             });
-  out << "      </Points>\n";
+  write_points(field, out);
   cells(out, "Verts", dots, 1);
   cells(out, "Polys", corners, 3);
   out << "    </Piece>\n  </PolyData>\n</VTKFile>\n";
+}
+
+void write_vtu(const Field& field, std::ostream& out) {
+  constexpr unsigned char kVoxel = 11;  // its corners run as those of OctreeShape
+  const auto& octree = std::get<OctreeShape>(field.samples.parts.front().shape);
+  const std::size_t count = octree.cells.size();
+  std::vector<std::uint64_t> corners;
+  for (const auto& cell : octree.cells)
+    corners.insert(corners.end(), cell.begin(), cell.end());
+  open_file(out, "UnstructuredGrid");
+  out << "  <UnstructuredGrid>\n    <Piece NumberOfPoints=\""
+      << field.samples.points.size() << "\" NumberOfCells=\"" << count << "\">\n";
+  point_data(field, out);
+  out << "      <CellData Scalars=\"level\">\n";
+  data_array(out, "type=\"Int32\" Name=\"level\"", count, 4, [&](auto& data) {
+    for (const int level : octree.levels)
+      data.add_little_endian(static_cast<std::uint32_t>(level));
+  });
+  out << "      </CellData>\n";
+  write_points(field, out);
+  out << "      <Cells>\n";
+  data_array(out, "type=\"Int64\" Name=\"connectivity\"", 8 * count, 8,
+             [&](auto& data) {
+               for (const std::uint64_t corner : corners)
+                 data.add_little_endian(corner);
+             });
+  data_array(out, "type=\"Int64\" Name=\"offsets\"", count, 8, [&](auto& data) {
+    for (std::uint64_t c = 1; c <= count; ++c) data.add_little_endian(8 * c);
+  });
+  data_array(out, "type=\"UInt8\" Name=\"types\"", count, 1, [&](auto& data) {
+    for (std::size_t c = 0; c < count; ++c) data.add(kVoxel);
+  });
+  out << "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
 }
 
 }  // namespace delos

@@ -20,4 +20,9 @@ void write_vti(const Field& field, std::ostream& out);
 /// 0.
 void write_vtp(const Field& field, std::ostream& out);
 
+/// UnstructuredGrid (.vtu): the leaves of an octree as voxels over its nodes, with the
+/// same arrays and each leaf's "level".
+/// @pre the samples are one octree
+void write_vtu(const Field& field, std::ostream& out);
+
 }  // namespace delos

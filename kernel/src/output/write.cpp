@@ -24,12 +24,19 @@ struct Format {
 
 std::string fits_all(const Samples&) { return {}; }
 
+bool is_octree(const SamplePart& part) {
+  return std::holds_alternative<OctreeShape>(part.shape);
+}
+
 std::string misfit_vti(const Samples& samples) {
   if (samples.parts.size() > 1) {
     return ".vti holds one volume and the scene has " +
            std::to_string(samples.parts.size()) +
            " sample sets; .vtp takes them all as points";
   }
+  if (samples.parts.size() == 1 && is_octree(samples.parts.front()))
+    return ".vti holds a regular volume and these samples are adaptive; .vtu takes "
+           "them";
   if (samples.parts.empty() ||
       !std::holds_alternative<GridShape>(samples.parts.front().shape))
     return ".vti holds a volume and these samples aren't one; .vtp takes any points";
@@ -38,6 +45,12 @@ std::string misfit_vti(const Samples& samples) {
 
 bool is_surface(const SamplePart& part) {
   return std::holds_alternative<SurfaceShape>(part.shape);
+}
+
+std::string misfit_vtu(const Samples& samples) {
+  if (samples.parts.size() == 1 && is_octree(samples.parts.front())) return {};
+  return ".vtu holds the octree of adaptive samples and these aren't; .vti takes a "
+         "volume, .vtp any points";
 }
 
 std::string misfit_png(const Samples& samples) {
@@ -54,6 +67,10 @@ constexpr std::array kFormats = {
     Format{".vti", misfit_vti,
            [](const Field& field, const PictureOptions&, std::ostream& out) {
              write_vti(field, out);
+           }},
+    Format{".vtu", misfit_vtu,
+           [](const Field& field, const PictureOptions&, std::ostream& out) {
+             write_vtu(field, out);
            }},
     Format{".vtp", fits_all,
            [](const Field& field, const PictureOptions&, std::ostream& out) {

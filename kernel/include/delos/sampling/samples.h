@@ -37,12 +37,19 @@ struct SurfaceShape {
 /// Samples with no neighbours.
 struct ScatteredShape {};
 
+/// The nodes of an octree and its leaves.
+struct OctreeShape {
+  /// Corners of each leaf as indices of samples, x fastest, then y, then z.
+  std::vector<std::array<std::uint32_t, 8>> cells;
+  std::vector<int> levels;  ///< of each leaf: halvings of a root
+};
+
 /// One sample set of the scene: a range of the points and how they hang together.
 struct SamplePart {
   std::string name;       ///< may be empty
   std::size_t first = 0;  ///< index of its first point
   std::size_t count = 0;  ///< number of points, ≥ 1
-  std::variant<GridShape, PlaneShape, ScatteredShape, SurfaceShape> shape;
+  std::variant<GridShape, PlaneShape, ScatteredShape, SurfaceShape, OctreeShape> shape;
 };
 
 /// All sample points of a scene, part after part.

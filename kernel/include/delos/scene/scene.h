@@ -115,14 +115,16 @@ struct QuaternionWxyz {
   friend bool operator==(const QuaternionWxyz&, const QuaternionWxyz&) = default;
 };
 struct Aim {
-  Eigen::Vector3d at;  ///< the point looked at, metres, in the same frame as the position
+  Eigen::Vector3d
+      at;  ///< the point looked at, metres, in the same frame as the position
   friend bool operator==(const Aim&, const Aim&) = default;
 };
 
 /// Where something is, in its group's frame or the world's.
 struct Placement {
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();                 ///< metres
-  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim> facing;  ///< monostate: identity
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< metres
+  std::variant<std::monostate, Rpy, QuaternionWxyz, Aim>
+      facing;  ///< monostate: identity
   friend bool operator==(const Placement&, const Placement&) = default;
 };
 
@@ -218,8 +220,9 @@ struct Mounting {
 struct DeviceEntry {
   std::string name;
   std::string type;
-  double rate = 0;   ///< updates a second, > 0
-  double phase = 0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
+  double rate = 0;  ///< updates a second, > 0
+  double phase =
+      0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
   std::string group;  ///< empty: the world
   /// Given: it stands there, and not at placement.at; group is empty.
   std::optional<Mounting> mounting;

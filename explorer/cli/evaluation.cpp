@@ -1,0 +1,101 @@
+#include "evaluation.h"
+
+#include <cmath>
+
+#include "progress.h"
+
+namespace delos::cli {
+namespace {
+
+/// The adaptive set of a scene, or null.
+const AdaptiveSampling* adaptive(const Scene& scene) {
+  return scene.samples.size() == 1
+             ? std::get_if<AdaptiveSampling>(&scene.samples.front().shape)
+             : nullptr;
+}
+
+bool is_picture(const std::filesystem::path& file) {
+  const std::string suffix = file.extension().string();
+  return suffix == ".png" || suffix == ".PNG";
+}
+
+/// A level plane through an adaptive volume, fine enough for a picture.
+Samples level_plane(const AdaptiveSampling& box, double z) {
+  constexpr double kMost = 320;  // samples along the longer side
+  const Eigen::Vector3d size = box.max - box.min;
+  const double step = std::max(size.x(), size.y()) / kMost;
+  const auto count = [step](double length) {
+    return static_cast<int>(std::lround(length / step)) + 1;
+  };
+  return make_samples({{"", PlaneSampling{{box.min.x(), box.min.y(), z},
+                                          {size.x(), 0, 0},
+                                          {0, size.y(), 0},
+                                          {count(size.x()), count(size.y())}}}});
+}
+
+/// The slice that is asked for, or that through the best sample.
+double slice_height(const Field& field, const AdaptiveSampling& box,
+                    const PictureOptions& picture) {
+  const FieldStatistics s = summarize(field);
+  const double z = picture.has_slice          ? picture.slice_z
+                   : picture.larger_is_better ? s.max.at.z()
+                                              : s.min.at.z();
+  return std::clamp(z, box.min.z(), box.max.z());
+}
+
+}  // namespace
+
+Samples planned_samples(const Scene& scene) {
+  if (!adaptive(scene)) return make_samples(scene.samples);
+  Samples samples;
+  samples.parts.push_back({"", 0, 0, OctreeShape{}});
+  return samples;
+}
+
+std::string drawable(const Scene& scene, const Samples& samples,
+                     const std::filesystem::path& file) {
+  const AdaptiveSampling* box = adaptive(scene);
+  return box && is_picture(file) ? writable(level_plane(*box, box->min.z()), file)
+                                 : writable(samples, file);
+}
+
+Evaluation evaluate_scene(const LoadedScene& loaded, const SceneOptions& options,
+                          const Interrupt& interrupt) {
+  const AdaptiveSampling* sampling = adaptive(loaded.scene);
+  if (!sampling) {
+    return {evaluate(loaded, make_samples(loaded.scene.samples), options, interrupt),
+            nullptr};
+  }
+  Progress progress(loaded.scene.name);
+  AdaptiveOptions adaptive_options;
+  adaptive_options.field = field_options(options, interrupt, progress);
+  try {
+    auto octree = std::make_shared<const AdaptiveField>(
+        evaluate_adaptive(loaded.system, *sampling, loaded.scene.orientations,
+                          loaded.metric, adaptive_options));
+    Evaluation evaluation{octree->field(), octree};
+    evaluation.field.scene = loaded.scene.name;
+    return evaluation;
+  } catch (const std::invalid_argument& error) {
+    throw unsolvable(options, error);
+  }
+}
+
+Field picture_field(const Evaluation& evaluation, const Scene& scene,
+                    const PictureOptions& picture) {
+  const AdaptiveSampling* box = adaptive(scene);
+  if (!box || !evaluation.octree) return evaluation.field;
+  Field slice = evaluation.octree->read(
+      level_plane(*box, slice_height(evaluation.field, *box, picture)));
+  slice.scene = evaluation.field.scene;
+  return slice;
+}
+
+std::string write_evaluation(const Evaluation& evaluation, const Scene& scene,
+                             const std::filesystem::path& file,
+                             const PictureOptions& picture) {
+  if (!is_picture(file)) return write_field(evaluation.field, file, picture);
+  return write_field(picture_field(evaluation, scene, picture), file, picture);
+}
+
+}  // namespace delos::cli

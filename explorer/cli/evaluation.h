@@ -1,0 +1,44 @@
+// A scene's field, however it is sampled.
+#pragma once
+
+#include <memory>
+
+#include "command.h"
+#include "delos/field/adaptive.h"
+#include "delos/output/write.h"
+
+namespace delos::cli {
+
+/// A field, and the octree behind it where its samples are adaptive.
+struct Evaluation {
+  Field field;
+  std::shared_ptr<const AdaptiveField> octree;  ///< null where they aren't
+};
+
+/// The samples that a scene will have; of adaptive ones, an octree without nodes.
+[[nodiscard]] Samples planned_samples(const Scene& scene);
+
+/// Why `file` can't show these samples; empty where it can. As writable(), but that
+/// octrees are drawn too.
+[[nodiscard]] std::string drawable(const Scene& scene, const Samples& samples,
+                                   const std::filesystem::path& file);
+
+/// Evaluate a scene on its own samples, with progress on stderr and a clean end at
+/// Ctrl-C.
+/// @throws Failure as unsolvable()
+[[nodiscard]] Evaluation evaluate_scene(const LoadedScene& loaded,
+                                        const SceneOptions& options,
+                                        const Interrupt& interrupt);
+
+/// Write a field as write_field() does; a picture of an octree is read on a plane.
+/// @returns empty, or why it was not written
+[[nodiscard]] std::string write_evaluation(const Evaluation& evaluation,
+                                           const Scene& scene,
+                                           const std::filesystem::path& file,
+                                           const PictureOptions& picture);
+
+/// What a picture shows: the field itself, or an octree read on a level plane.
+[[nodiscard]] Field picture_field(const Evaluation& evaluation, const Scene& scene,
+                                  const PictureOptions& picture);
+
+}  // namespace delos::cli

@@ -1,0 +1,509 @@
+#include "delos/field/adaptive.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "delos/sampling/octree.h"
+#include "field/first_failure.h"
+#include "field/interpolation.h"
+#include "field/place_evaluator.h"
+
+namespace delos {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using Clock = std::chrono::steady_clock;
+
+/// How far two values of a metric are apart, in decades, at most one: what a value and
+/// blindness are apart.
+double decades_apart(double a, double b) {
+  if (a == b) return 0;
+  if (!std::isfinite(a) || !std::isfinite(b) || a <= 0 || b <= 0) return 1;
+  return std::min(1.0, std::abs(std::log10(a / b)));
+}
+
+std::vector<Eigen::Matrix3d> rotations(const Orientations& orientations) {
+  std::vector<Eigen::Matrix3d> all;
+  for (const Eigen::Vector3d& rpy : orientations.rpy) {
+    all.push_back(rotation_from_rpy(rpy));
+  }
+  return all;
+}
+
+}  // namespace
+
+const char* to_string(AdaptiveStop stop) {
+  switch (stop) {
+    case AdaptiveStop::tolerance:
+      return "tolerance";
+    case AdaptiveStop::depth:
+      return "depth";
+    case AdaptiveStop::evaluations:
+      return "evaluations";
+    case AdaptiveStop::deadline:
+      return "deadline";
+    case AdaptiveStop::cancelled:
+      return "cancelled";
+  }
+  return "";
+}
+
+/// The whole of an adaptive field, grown level by level.
+struct AdaptiveField::State {
+  State(const System& system, const AdaptiveSampling& sampling,
+        const Orientations& orientations, const Metric& metric,
+        const AdaptiveOptions& options);
+
+  void grow();
+  void finish();
+  [[nodiscard]] Field read(const Samples& samples, ShadowEdges edges) const;
+
+ private:
+  template <class Fill>
+  [[nodiscard]] std::vector<PoseValue> solve(std::span<const Query> queries,
+                                             Fill&& fill) const;
+  [[nodiscard]] std::vector<PoseValue> values_at(std::span<const Query> queries,
+                                                 DoubtRule doubt) const;
+  [[nodiscard]] bool cancelled() const;
+  [[nodiscard]] bool out_of_time() const;
+  bool observe_level(Octree::Index first_cell);
+  void estimate(Octree::Index first_cell, std::size_t first_node);
+  [[nodiscard]] std::vector<double> surplus(Octree::Index first_cell,
+                                            std::size_t first_node) const;
+  [[nodiscard]] bool in_doubt(Octree::Index cell) const;
+  [[nodiscard]] std::vector<double> doubt_of_leaves(Octree::Index first_cell) const;
+  [[nodiscard]] bool wanted(Octree::Index leaf) const;
+  [[nodiscard]] std::vector<Octree::Index> mark();
+  [[nodiscard]] Field node_field() const;
+  [[nodiscard]] double held_back_error();
+  [[nodiscard]] PlaceEvaluator evaluator() const {
+    return {solver, system, metric, orientations.combine, turns.size()};
+  }
+
+  const System system;
+  const AdaptiveSampling sampling;
+  const Orientations orientations;
+  const std::vector<Eigen::Matrix3d> turns;
+  const Metric metric;
+  const AdaptiveOptions options;
+  const int threads;
+  const FusionSolver solver;
+  const Sightings sightings;
+  const Clock::time_point start = Clock::now();
+
+  Octree tree;
+  CellViews views;
+  NodeStore store;
+  Interpolation between;
+  std::vector<PoseValue> value;       ///< one a node
+  std::vector<unsigned char> inside;  ///< one a node: within a solid
+  std::vector<double> smooth;  ///< one a cell, decades: what interpolation may be off
+  std::vector<double> error;   ///< one a cell: that, or what a shadow's edge matters
+  std::size_t evaluations = 0;
+
+ public:
+  AdaptiveReport report;
+  Field field;
+};
+
+AdaptiveField::State::State(const System& s, const AdaptiveSampling& a,
+                            const Orientations& o, const Metric& m,
+                            const AdaptiveOptions& given)
+    : system(s),
+      sampling(a),
+      orientations(o),
+      turns(rotations(o)),
+      metric(m),
+      options(given),
+      threads(given.field.threads > 0 ? given.field.threads : omp_get_max_threads()),
+      solver(system, given.field.solver),
+      sightings(system),
+      tree({a.min, a.max}, a.depth),
+      views(system, sightings, turns),
+      store(system, sightings, turns),
+      between(system, sightings, turns, tree, views, store) {}
+
+bool AdaptiveField::State::cancelled() const {
+  return options.field.cancel && options.field.cancel->load(std::memory_order_relaxed);
+}
+
+bool AdaptiveField::State::out_of_time() const {
+  return sampling.seconds &&
+         std::chrono::duration<double>(Clock::now() - start).count() >
+             *sampling.seconds;
+}
+
+/// Observe and evaluate what the tree has gained.
+/// @returns false where it was interrupted
+bool AdaptiveField::State::observe_level(Octree::Index first_cell) {
+  views.follow(tree, threads);
+  const std::size_t before = store.nodes(), all = tree.nodes();
+  value.resize(all);
+  std::vector<PlaceEvaluator> evaluate(static_cast<std::size_t>(threads), evaluator());
+  std::atomic<std::size_t> done = before;
+  const auto stop = [this, first_cell] {
+    return cancelled() || (first_cell > 0 && out_of_time());
+  };
+  store.follow(tree, views, first_cell, threads, stop,
+               [&](const NodeStore::Observed& at) {
+                 const int thread = omp_get_thread_num();
+                 evaluate[static_cast<std::size_t>(thread)](
+                     at.count, at.layers, at.poses, &value[at.first_node]);
+                 done += at.count;
+                 if (options.field.progress && thread == 0) {
+                   options.field.progress(done * turns.size(), all * turns.size());
+                 }
+               });
+  if (done != all) return false;
+  evaluations += (all - before) * turns.size();
+  const bool solids = system.in_world.triangles() > 0;
+  for (std::size_t n = before; n < tree.nodes(); ++n) {
+    const auto node = static_cast<Octree::Index>(n);
+    inside.push_back(solids && system.in_world.contains(tree.position(node)));
+  }
+  return true;
+}
+
+/// Values at places whose layers `fill(first, count, turn, block)` makes.
+template <class Fill>
+std::vector<PoseValue> AdaptiveField::State::solve(std::span<const Query> queries,
+                                                   Fill&& fill) const {
+  std::vector<PoseValue> values(queries.size());
+  const std::size_t blocks = (queries.size() + kLanes - 1) / kLanes;
+  FirstFailure failure;
+#pragma omp parallel num_threads(threads)
+  {
+    PlaceEvaluator evaluate = evaluator();
+    LayerBlock block;
+    std::vector<TargetPose> poses(kLanes);
+#pragma omp for schedule(dynamic)
+    for (std::size_t b = 0; b < blocks; ++b) {
+      const std::size_t first = b * kLanes;
+      const std::size_t count = std::min<std::size_t>(kLanes, queries.size() - first);
+      const auto layers = [&](std::size_t turn) -> const LayerBlock& {
+        fill(first, count, turn, block);
+        return block;
+      };
+      const auto at = [&](std::size_t turn) {
+        for (std::size_t l = 0; l < count; ++l) {
+          poses[l] = {turns[turn], queries[first + l].p};
+        }
+        return poses.data();
+      };
+      failure.guard([&] { evaluate(count, layers, at, &values[first]); });
+    }
+  }
+  failure.rethrow();
+  return values;
+}
+
+/// Values between the nodes.
+std::vector<PoseValue> AdaptiveField::State::values_at(std::span<const Query> queries,
+                                                       DoubtRule doubt) const {
+  return solve(queries, [&](std::size_t first, std::size_t count, std::size_t turn,
+                            LayerBlock& block) {
+    between.at(queries.subspan(first, count), turn, doubt, block);
+  });
+}
+
+/// How far the cells that were halved were off at the nodes that this brought, decades.
+std::vector<double> AdaptiveField::State::surplus(Octree::Index first_cell,
+                                                  std::size_t first_node) const {
+  std::vector<Query> queries;
+  std::vector<Octree::Index> nodes;
+  std::vector<char> asked(tree.nodes() - first_node, 0);
+  for (auto c = first_cell; c < tree.cells().size(); ++c) {
+    // Nothing interpolated in a root, and the deepest level asks for nothing more.
+    if (tree.cells()[c].level < 2 || tree.cells()[c].level == tree.depth()) continue;
+    for (const Octree::Index node : tree.corners(c)) {
+      if (node < first_node || asked[node - first_node]) continue;
+      asked[node - first_node] = 1;
+      queries.push_back({tree.cells()[c].parent, tree.position(node)});
+      nodes.push_back(node);
+    }
+  }
+  const std::span<const Query> all(queries);
+  const std::vector<PoseValue> expected = solve(all, [&](std::size_t first,
+                                                         std::size_t count,
+                                                         std::size_t turn,
+                                                         LayerBlock& block) {
+    between.at_nodes(all.subspan(first, count), {&nodes[first], count}, turn, block);
+  });
+  std::vector<double> decades(tree.nodes() - first_node, 0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    decades[nodes[i] - first_node] =
+        decades_apart(expected[i].value, value[nodes[i]].value);
+  }
+  return decades;
+}
+
+/// Whether the edge of some shadow may cross a cell.
+bool AdaptiveField::State::in_doubt(Octree::Index cell) const {
+  for (std::size_t t = 0; t < turns.size(); ++t) {
+    for (std::size_t s = 0; s < sightings.all.size(); ++s) {
+      if (views.in_doubt(cell, t, s)) return true;
+    }
+  }
+  return false;
+}
+
+/// What it matters, at the middle of each new leaf that the edge of a shadow may cross,
+/// on which side of it one is; decades.
+std::vector<double> AdaptiveField::State::doubt_of_leaves(
+    Octree::Index first_cell) const {
+  std::vector<Query> queries;
+  std::vector<double> decades(tree.cells().size() - first_cell, 0);
+  for (auto c = first_cell; c < tree.cells().size(); ++c) {
+    if (!tree.is_leaf(c) || !in_doubt(c)) continue;
+    if (tree.cells()[c].level < tree.depth()) {
+      queries.push_back({c, tree.box_of(c).center()});
+    } else {
+      decades[c - first_cell] = 1;  // nothing more can be done about it
+    }
+  }
+  const std::vector<PoseValue> seen = values_at(queries, DoubtRule::all_seen);
+  const std::vector<PoseValue> hidden = values_at(queries, DoubtRule::all_hidden);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    decades[queries[i].cell - first_cell] =
+        decades_apart(seen[i].value, hidden[i].value);
+  }
+  return decades;
+}
+
+/// Estimate the errors of new leaves.
+///
+/// Triquadratic interpolation errs with the third power of a family's size: what its
+/// parent was off at a leaf's corners, an eighth of that is expected within the leaf.
+void AdaptiveField::State::estimate(Octree::Index first_cell, std::size_t first_node) {
+  constexpr double kOrder3 = 1.0 / 8;
+  const std::vector<double> off = surplus(first_cell, first_node);
+  const std::vector<double> doubt = doubt_of_leaves(first_cell);
+  error.resize(tree.cells().size(), 0);
+  smooth.resize(tree.cells().size(), kInfinity);
+  for (auto c = first_cell; c < tree.cells().size(); ++c) {
+    if (!tree.is_leaf(c)) continue;
+    const Octree::Cell& cell = tree.cells()[c];
+    if (cell.level >= tree.depth()) {
+      smooth[c] = smooth[cell.parent] * kOrder3;
+    } else if (cell.level > 1) {  // before that, there is nothing to judge from
+      double most = 0;
+      for (const Octree::Index node : tree.corners(c)) {
+        if (node >= first_node) most = std::max(most, off[node - first_node]);
+      }
+      smooth[c] = most * kOrder3;
+    }
+    error[c] = std::max(smooth[c], doubt[c - first_cell]);
+  }
+}
+
+/// Whether somebody asked for detail in this leaf.
+bool AdaptiveField::State::wanted(Octree::Index leaf) const {
+  const Octree::Corners corners = tree.corners(leaf);
+  if (std::all_of(corners.begin(), corners.end(),
+                  [this](Octree::Index n) { return inside[n] != 0; })) {
+    return false;
+  }
+  if (sampling.within && !sampling.within->intersects(tree.box_of(leaf))) return false;
+  if (!sampling.near_value || error[leaf] == kInfinity) return true;
+  // Blind corners are on the far side of any value; the leaf's own error widens it.
+  double least = kInfinity, most = 0;
+  for (const Octree::Index n : corners) {
+    least = std::min(least, value[n].value);
+    most = std::max(most, value[n].value);
+  }
+  const double widen = std::pow(10.0, std::min(1.0, 2 * error[leaf]));
+  return least <= *sampling.near_value * widen && most * widen >= *sampling.near_value;
+}
+
+/// The leaves to halve next, those that are most off first where not all can be.
+std::vector<Octree::Index> AdaptiveField::State::mark() {
+  // Halving a leaf brings about this many nodes that it doesn't share.
+  constexpr double kNodesALeaf = 8;
+  const double most = std::log10(1 + sampling.tolerance);
+  std::vector<Octree::Index> marked;
+  bool deepest = false;
+  for (const Octree::Index leaf : tree.leaves()) {
+    if (error[leaf] <= most || !wanted(leaf)) continue;
+    if (tree.cells()[leaf].level < tree.depth()) {
+      marked.push_back(leaf);
+    } else {
+      deepest = true;
+    }
+  }
+  report.stop = deepest ? AdaptiveStop::depth : AdaptiveStop::tolerance;
+  if (!sampling.evaluations || marked.empty()) return tree.closed(marked);
+
+  const double left =
+      (static_cast<double>(*sampling.evaluations) - static_cast<double>(evaluations)) /
+      (kNodesALeaf * static_cast<double>(turns.size()));
+  const auto allowed = static_cast<std::size_t>(std::max(0.0, left));
+  if (allowed >= marked.size()) return tree.closed(marked);
+  std::stable_sort(marked.begin(), marked.end(),
+                   [this](auto a, auto b) { return error[a] > error[b]; });
+  marked.resize(allowed);
+  if (marked.empty()) report.stop = AdaptiveStop::evaluations;
+  return tree.closed(marked);
+}
+
+void AdaptiveField::State::grow() {
+  Octree::Index first_cell = 0;
+  std::size_t first_node = 0;
+  while (true) {
+    if (!observe_level(first_cell)) {
+      report.stop = cancelled() ? AdaptiveStop::cancelled : AdaptiveStop::deadline;
+      // The level before is whole.
+      if (first_cell > 0) tree.revert(first_cell, first_node);
+      store.shrink(first_node);
+      value.resize(first_node);
+      views.follow(tree, threads);
+      return;
+    }
+    estimate(first_cell, first_node);
+    if (options.on_level) options.on_level(node_field());
+    const std::vector<Octree::Index> marked = mark();
+    if (marked.empty()) return;
+    first_node = tree.nodes();
+    first_cell = tree.refine(marked);
+  }
+}
+
+/// Volume that stands for each node: an eighth of every leaf that it is a corner of.
+Field AdaptiveField::State::node_field() const {
+  Field f;
+  f.metric = metric.name;
+  f.unit = metric.unit;
+  f.threads = threads;
+  f.evaluations = evaluations;
+  f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  f.evaluated = store.nodes();
+  f.inside = inside;
+  f.weight.assign(store.nodes(), 0);
+  OctreeShape shape;
+  if (store.nodes() == 0) return f;
+  for (const Octree::Index leaf : tree.leaves()) {
+    const Octree::Corners corners = tree.corners(leaf);
+    const double part = tree.box_of(leaf).volume() / 8;
+    for (const Octree::Index n : corners) f.weight[n] += part;
+    shape.cells.push_back(corners);
+    shape.levels.push_back(tree.cells()[leaf].level);
+  }
+  for (std::size_t n = 0; n < store.nodes(); ++n) {
+    f.samples.points.push_back(tree.position(static_cast<Octree::Index>(n)));
+    f.value.push_back(value[n].value);
+    f.observable.push_back(value[n].observable);
+    f.lost.push_back(static_cast<unsigned char>(value[n].lost));
+  }
+  f.samples.parts.push_back({"", 0, store.nodes(), std::move(shape)});
+  return f;
+}
+
+/// The 95th percentile of |interpolated/true − 1| at random points.
+double AdaptiveField::State::held_back_error() {
+  std::mt19937_64 random(20070501);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Eigen::Vector3d size = sampling.max - sampling.min;
+  Samples points;
+  std::vector<Query> queries;
+  const bool solids = system.in_world.triangles() > 0;
+  for (int i = 0; i < options.held_back; ++i) {
+    Eigen::Vector3d p = sampling.min;
+    for (int k = 0; k < 3; ++k) p(k) += uniform(random) * size(k);
+    if (solids && system.in_world.contains(p)) continue;
+    points.points.push_back(p);
+    queries.push_back({tree.leaf_at(p), p});
+  }
+  if (queries.empty()) return 0;
+  const Field truth =
+      evaluate_field(system, points, orientations, metric,
+                     {.solver = options.field.solver, .threads = threads});
+  const std::vector<PoseValue> read = values_at(queries, DoubtRule::nearest);
+  evaluations += truth.evaluations;
+  std::vector<double> off;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const double a = read[i].value, b = truth.value[i];
+    const bool both = std::isfinite(a) && std::isfinite(b) && b != 0;
+    off.push_back(a == b ? 0 : both ? std::min(1.0, std::abs(a / b - 1)) : 1);
+  }
+  const std::size_t at = off.size() * 95 / 100;
+  std::nth_element(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(at),
+                   off.end());
+  return off[at];
+}
+
+Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) const {
+  std::vector<Query> queries;
+  queries.reserve(samples.points.size());
+  for (const Eigen::Vector3d& p : samples.points)
+    queries.push_back({tree.leaf_at(p), p});
+  const auto begin = Clock::now();
+  const std::vector<PoseValue> read = values_at(
+      queries, edges == ShadowEdges::exact ? DoubtRule::exact : DoubtRule::nearest);
+  Field f;
+  f.metric = metric.name;
+  f.unit = metric.unit;
+  f.threads = threads;
+  f.samples = samples;
+  f.evaluated = queries.size();
+  for (const PoseValue& v : read) {
+    f.value.push_back(v.value);
+    f.observable.push_back(v.observable);
+    f.lost.push_back(static_cast<unsigned char>(v.lost));
+  }
+  if (system.in_world.triangles() > 0) {
+    for (const Eigen::Vector3d& p : samples.points) {
+      f.inside.push_back(system.in_world.contains(p));
+    }
+  }
+  f.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return f;
+}
+
+void AdaptiveField::State::finish() {
+  between.conform();
+  std::optional<double> off;
+  if (options.held_back > 0 && !cancelled() && store.nodes() > 0)
+    off = held_back_error();
+  field = node_field();
+  field.discretization_error = off;
+  field.cancelled = report.stop == AdaptiveStop::cancelled;
+  report.nodes = store.nodes();
+  report.rays = store.rays();
+  report.rays_saved = store.rays_saved();
+  for (const Octree::Index leaf : tree.leaves()) {
+    if (store.nodes() > 0) ++report.leaves;
+    report.levels = std::max(report.levels, tree.cells()[leaf].level);
+  }
+}
+
+AdaptiveField::AdaptiveField(std::unique_ptr<State> state) : state_(std::move(state)) {}
+AdaptiveField::AdaptiveField(AdaptiveField&&) noexcept = default;
+AdaptiveField& AdaptiveField::operator=(AdaptiveField&&) noexcept = default;
+AdaptiveField::~AdaptiveField() = default;
+
+const Field& AdaptiveField::field() const { return state_->field; }
+const AdaptiveReport& AdaptiveField::report() const { return state_->report; }
+
+Field AdaptiveField::read(const Samples& samples, ShadowEdges edges) const {
+  return state_->read(samples, edges);
+}
+
+AdaptiveField evaluate_adaptive(const System& system, const AdaptiveSampling& sampling,
+                                const Orientations& orientations, const Metric& metric,
+                                const AdaptiveOptions& options) {
+  if (const std::string problem = metric_problem(system, metric); !problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
+  auto state = std::make_unique<AdaptiveField::State>(system, sampling, orientations,
+                                                      metric, options);
+  state->grow();
+  state->finish();
+  return AdaptiveField(std::move(state));
+}
+
+}  // namespace delos
