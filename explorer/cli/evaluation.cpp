@@ -95,7 +95,9 @@ std::string write_evaluation(const Evaluation& evaluation, const Scene& scene,
                              const std::filesystem::path& file,
                              const PictureOptions& picture) {
   if (!is_picture(file)) return write_field(evaluation.field, file, picture);
-  return write_field(picture_field(evaluation, scene, picture), file, picture);
+  PictureOptions of_part = picture;
+  of_part.whole = summarize(evaluation.field);
+  return write_field(picture_field(evaluation, scene, picture), file, of_part);
 }
 
 }  // namespace delos::cli

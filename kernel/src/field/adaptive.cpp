@@ -162,10 +162,9 @@ bool AdaptiveField::State::observe_level(Octree::Index first_cell) {
                });
   if (done != all) return false;
   evaluations += (all - before) * turns.size();
-  const bool solids = system.in_world.triangles() > 0;
   for (std::size_t n = before; n < tree.nodes(); ++n) {
     const auto node = static_cast<Octree::Index>(n);
-    inside.push_back(solids && system.in_world.contains(tree.position(node)));
+    inside.push_back(inside_solid(system, tree.position(node)));
   }
   return true;
 }
@@ -410,11 +409,10 @@ double AdaptiveField::State::held_back_error() {
   const Eigen::Vector3d size = sampling.max - sampling.min;
   Samples points;
   std::vector<Query> queries;
-  const bool solids = system.in_world.triangles() > 0;
   for (int i = 0; i < options.held_back; ++i) {
     Eigen::Vector3d p = sampling.min;
     for (int k = 0; k < 3; ++k) p(k) += uniform(random) * size(k);
-    if (solids && system.in_world.contains(p)) continue;
+    if (inside_solid(system, p)) continue;
     points.points.push_back(p);
     queries.push_back({tree.leaf_at(p), p});
   }
@@ -455,11 +453,7 @@ Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) cons
     f.observable.push_back(v.observable);
     f.lost.push_back(static_cast<unsigned char>(v.lost));
   }
-  if (system.in_world.triangles() > 0) {
-    for (const Eigen::Vector3d& p : samples.points) {
-      f.inside.push_back(system.in_world.contains(p));
-    }
-  }
+  f.inside = inside_solids(system, samples.points);
   f.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return f;
 }

@@ -11,6 +11,7 @@
 
 #include "field/first_failure.h"
 #include "field/place_evaluator.h"
+#include "field/sight.h"
 
 namespace delos {
 namespace {
@@ -104,11 +105,7 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
     field.observable[p] = values[p].observable;
     field.lost[p] = static_cast<unsigned char>(values[p].lost);
   }
-  if (system.in_world.triangles() > 0) {
-    for (const Eigen::Vector3d& p : samples.points) {
-      field.inside.push_back(system.in_world.contains(p));
-    }
-  }
+  field.inside = inside_solids(system, samples.points);
   field.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return field;

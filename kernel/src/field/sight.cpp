@@ -54,4 +54,20 @@ Sight sight_of_box(const System& system, const PlacedDevice& placed,
   return world == Sight::clear ? target : Sight::unknown;
 }
 
+bool inside_solid(const System& system, const Eigen::Vector3d& p) {
+  if (system.in_world.triangles() == 0 || !system.in_world.contains(p)) return false;
+  // The shaft from a point to a box around it is that box.
+  const Eigen::Vector3d skin = Eigen::Vector3d::Constant(system.skin);
+  return !system.in_world.touches_shaft(p, {p - skin, p + skin});
+}
+
+std::vector<unsigned char> inside_solids(const System& system,
+                                         const std::vector<Eigen::Vector3d>& points) {
+  std::vector<unsigned char> inside;
+  if (system.in_world.triangles() == 0) return inside;
+  inside.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) inside.push_back(inside_solid(system, p));
+  return inside;
+}
+
 }  // namespace delos

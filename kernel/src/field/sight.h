@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <vector>
 
 #include "delos/field/system.h"
 
@@ -29,5 +30,13 @@ enum class Sight : std::uint8_t {
                                  const Eigen::Matrix3d& R_WT,
                                  const Eigen::Vector3d& arm,
                                  const Eigen::AlignedBox3d& box);
+
+/// Whether a point is inside a solid of the world, farther than the skin from its
+/// surface: a marker on a body isn't in it.
+[[nodiscard]] bool inside_solid(const System& system, const Eigen::Vector3d& p);
+
+/// The same of many points; empty where nothing is solid.
+[[nodiscard]] std::vector<unsigned char> inside_solids(
+    const System& system, const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace delos

@@ -21,7 +21,13 @@ double draw_legend(Canvas& canvas, double x, double baseline, const Slice& slice
   constexpr Rgb kFrame{0.33, 0.33, 0.33};
   const auto reached = static_cast<std::size_t>(
       std::count(slice.reached.begin(), slice.reached.end(), 1));
-  const std::size_t blind = reached - slice.finite;
+  std::size_t solid = 0, blind = 0;
+  for (std::size_t i = 0; i < slice.value.size(); ++i) {
+    if (slice.solid[i] != 0)
+      ++solid;
+    else if (slice.reached[i] != 0 && !std::isfinite(slice.value[i]))
+      ++blind;
+  }
   const std::size_t unreached = slice.value.size() - reached;
   const auto entry = [&](std::size_t cells, const std::string& what, auto paint) {
     if (cells == 0) return;
@@ -34,6 +40,7 @@ double draw_legend(Canvas& canvas, double x, double baseline, const Slice& slice
     x = swatch.right() + 7 + canvas.text_width(text, kSmall) + 18;
   };
   entry(blind, "blind", paint_blind);
+  entry(solid, "solid", paint_solid);
   entry(unreached, "not evaluated", paint_unreached);
   return x;
 }
@@ -72,8 +79,8 @@ void write_picture(const Field& field, const PictureOptions& options,
   Canvas canvas(layout.width, layout.height);
   const double right = layout.width - kMargin;
   draw_title(canvas, title_of(field, slice, shown.name));
-  canvas.text(kMargin, 54, 0, canvas.fitted(subtitle(field), right - kMargin, kSmall),
-              kSmall);
+  canvas.text(kMargin, 54, 0,
+              canvas.fitted(subtitle(field, options), right - kMargin, kSmall), kSmall);
 
   paint_cells(canvas, layout.plot, slice, scale);
   draw_axes(canvas, layout.plot, slice, across, up);

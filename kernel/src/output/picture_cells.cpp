@@ -7,6 +7,7 @@ namespace delos {
 namespace {
 
 constexpr Rgb kUnreached{0.95, 0.95, 0.95};
+constexpr Rgb kSolid{0.5, 0.5, 0.5};
 constexpr Rgb kEdge{0.33, 0.33, 0.33};
 
 /// Diagonal lines, two pixels wide with soft sides, every nine pixels.
@@ -15,6 +16,20 @@ Rgb hatching(int x, int y) {
   const double ink = phase == 0 ? 1 : phase == 1 || phase == 8 ? 0.45 : 0;
   const double grey = 0.89 - 0.19 * ink;
   return {grey, grey, grey};
+}
+
+Rgb ink(const Shade& shade, const ColourScale& scale, int x, int y) {
+  switch (shade.fill) {
+    case Fill::colour:
+      return scale.colour(shade.position);
+    case Fill::blind:
+      return hatching(x, y);
+    case Fill::unreached:
+      return kUnreached;
+    case Fill::solid:
+      return kSolid;
+  }
+  return kUnreached;
 }
 
 /// A line wherever finite and other cells meet.
@@ -60,10 +75,7 @@ void paint_cells(Canvas& canvas, const Box& plot, const Slice& slice,
       const double column = slice.axis[0].sample_at((px + 0.5) / plot.width);
       const Shade shade = shaded.at(column, row);
       const int x = static_cast<int>(plot.x) + px, y = static_cast<int>(plot.y) + py;
-      if (shade.fill == Fill::colour)
-        canvas.set(x, y, scale.colour(shade.position));
-      else
-        canvas.set(x, y, shade.fill == Fill::blind ? hatching(x, y) : kUnreached);
+      canvas.set(x, y, ink(shade, scale, x, y));
     }
   }
   outline_regions(canvas, plot, slice);
@@ -76,5 +88,7 @@ void paint_blind(Canvas& canvas, const Box& box) {
 }
 
 void paint_unreached(Canvas& canvas, const Box& box) { canvas.fill(box, kUnreached); }
+
+void paint_solid(Canvas& canvas, const Box& box) { canvas.fill(box, kSolid); }
 
 }  // namespace delos

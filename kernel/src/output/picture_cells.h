@@ -17,5 +17,6 @@ void paint_blind(Canvas& canvas, const Box& box);
 
 /// The plain grey of what wasn't reached, likewise.
 void paint_unreached(Canvas& canvas, const Box& box);
+void paint_solid(Canvas& canvas, const Box& box);
 
 }  // namespace delos

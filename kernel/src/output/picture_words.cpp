@@ -23,8 +23,8 @@ Title title_of(const Field& field, const Slice& slice, const std::string& unit) 
   return title;
 }
 
-std::string subtitle(const Field& field) {
-  const FieldStatistics s = summarize(field);
+std::string subtitle(const Field& field, const PictureOptions& options) {
+  const FieldStatistics s = options.whole.value_or(summarize(field));
   std::string text;
   if (s.finite > 0) {
     text = "Whole field: median " + format_quantity(s.median, field.unit) +

@@ -21,7 +21,7 @@ struct Title {
                              const std::string& unit);
 
 /// The whole field in a line: median, 95th percentile, share observable.
-[[nodiscard]] std::string subtitle(const Field& field);
+[[nodiscard]] std::string subtitle(const Field& field, const PictureOptions& options);
 
 /// What a reader has to know to read the numbers rightly; may be empty.
 /// @param to_scale whether both axes have the same scale

@@ -52,6 +52,7 @@ Shade ShadedSlice::at(double column, double row) const {
     return std::clamp(static_cast<int>(std::floor(x + 0.5)), 0, count - 1);
   };
   const std::size_t own = slice_.cell(nearest(column, columns), nearest(row, rows));
+  if (slice_.solid[own] != 0) return {Fill::solid, 0};
   if (std::isnan(position_[own]))
     return {slice_.reached[own] != 0 ? Fill::blind : Fill::unreached, 0};
 

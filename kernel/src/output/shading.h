@@ -30,7 +30,7 @@ struct ColourScale {
 [[nodiscard]] ColourScale make_scale(const Slice& slice, const PictureOptions& options);
 
 /// What fills a spot of a picture.
-enum class Fill { colour, blind, unreached };
+enum class Fill { colour, blind, unreached, solid };
 
 struct Shade {
   Fill fill = Fill::blind;

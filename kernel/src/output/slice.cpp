@@ -46,6 +46,7 @@ void take_cell(Slice& slice, const Field& field, std::size_t i) {
   slice.index.push_back(i);
   slice.value.push_back(field.value[i]);
   slice.reached.push_back(!field.cancelled || i < field.evaluated);
+  slice.solid.push_back(!field.inside.empty() && field.inside[i]);
 }
 
 Slice cut(const Field& field, const SamplePart& part, const GridShape& grid,

@@ -41,6 +41,7 @@ struct Slice {
   std::vector<std::size_t> index;  ///< points of the field; to the right varies fastest
   std::vector<double> value;       ///< SI; not finite where blind
   std::vector<unsigned char> reached;  ///< 0: a cancelled evaluation didn't get there
+  std::vector<unsigned char> solid;    ///< 1: inside a solid, where no target can be
   std::optional<std::size_t> best, worst;  ///< cells; empty where nothing is finite
   std::size_t finite = 0;                  ///< cells
 

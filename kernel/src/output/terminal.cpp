@@ -78,9 +78,12 @@ std::string legend(const Field& field, const Slice& slice, const ColourScale& sc
     text += " " + (scale.bright_high ? words.best : words.worst);
     if (scale.log10) text += " (log)";
   }
-  if (slice.finite < slice.value.size()) {
+  const auto solid =
+      static_cast<std::size_t>(std::count(slice.solid.begin(), slice.solid.end(), 1));
+  const std::size_t blind = slice.value.size() - slice.finite - solid;
+  if (blind > 0) {
     text += field.cancelled ? "   · blind or not evaluated " : "   · blind ";
-    text += percent(slice.value.size() - slice.finite, slice.value.size());
+    text += percent(blind, slice.value.size());
   }
   return text + "\n";
 }

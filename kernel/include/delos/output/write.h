@@ -1,7 +1,8 @@
-// Fields as files, by suffix: .vti .vtp .csv .json .png.
+// Fields as files, by suffix: .vti .vtu .vtp .csv .json .png.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "delos/api.h"
@@ -11,9 +12,11 @@ namespace delos {
 
 /// How a picture shows a field.
 struct PictureOptions {
-  bool log10 = false;   ///< colours follow log10 of the value
-  double slice_z = 0;   ///< height of the slice through a volume, metres; nearest layer
-  bool has_slice = false;  ///< false: the slice through the best sample
+  bool log10 = false;  ///< colours follow log10 of the value
+  double slice_z = 0;  ///< height of the slice through a volume, metres; nearest layer
+  /// Statistics of all that the picture is a part of; by default, those of the field.
+  std::optional<FieldStatistics> whole;
+  bool has_slice = false;         ///< false: the slice through the best sample
   bool larger_is_better = false;  ///< turns the colours round: bright is always good
 };
 
@@ -21,32 +24,33 @@ struct PictureOptions {
 /// temporary name and then renamed, so that a failure leaves what was there.
 ///
 ///   .vti  regular grid for ParaView; needs exactly one volume; a blind value is NaN
+///   .vtu  the octree of adaptive samples for ParaView; likewise
 ///   .vtp  points for ParaView; any samples; likewise
 ///   .csv  x,y,z,value,observable with a header; a blind value is empty
 ///   .json field_json() with "columns" and "values": [[x, y, z, value, observable], …];
 ///         a blind value is null
 ///   .png  a slice with a colour bar; needs a volume or a plane
 ///
-/// @returns empty, or a sentence that says why it was not written and what would be right.
+/// @returns empty, or a sentence that says why it was not written and what would be
+/// right.
 [[nodiscard]] DELOS_API std::string write_field(const Field& field,
                                                 const std::filesystem::path& file,
                                                 const PictureOptions& picture = {});
 
-/// Empty where write_field() knows the suffix and can show this field; else why not. Asked
-/// before a long evaluation.
+/// Empty where write_field() knows the suffix and can show this field; else why not.
+/// Asked before a long evaluation.
 [[nodiscard]] DELOS_API std::string writable(const Samples& samples,
                                              const std::filesystem::path& file);
 
-/// The field as the contract's JSON document (`field --json`), indented, one newline at the
-/// end. Non-finite numbers never appear.
+/// The field as the contract's JSON document (`field --json`), indented, one newline at
+/// the end. Non-finite numbers never appear.
 [[nodiscard]] DELOS_API std::string field_json(const Field& field);
 
-/// A small picture of a slice for a terminal: half blocks in 24-bit colour, or shades of
-/// plain characters where `colour` is false. Lines end in newlines.
+/// A small picture of a slice for a terminal: half blocks in 24-bit colour, or shades
+/// of plain characters where `colour` is false. Lines end in newlines.
 /// @param columns width available, characters
 /// @returns empty where no volume or plane is among the samples
-[[nodiscard]] DELOS_API std::string terminal_picture(const Field& field, int columns,
-                                                     bool colour,
-                                                     const PictureOptions& picture = {});
+[[nodiscard]] DELOS_API std::string terminal_picture(
+    const Field& field, int columns, bool colour, const PictureOptions& picture = {});
 
 }  // namespace delos
