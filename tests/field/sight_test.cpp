@@ -34,8 +34,9 @@ Samples random_points(double half, int count) {
 
 Field coverage(const System& system, const Samples& samples,
                const Orientations& orientations = {}) {
-  return evaluate_field(system, samples, orientations,
-                        std::get<Metric>(parse_metric("coverage", system.motion.layout)));
+  return evaluate_field(
+      system, samples, orientations,
+      std::get<Metric>(parse_metric("coverage", system.motion.layout)));
 }
 
 /// A wall at x = 1 that begins at z = 0: behind it the shadow's plane is z = 0.
@@ -133,8 +134,7 @@ TEST(Sight, MeanInformationScalesWithTheProbabilityOfBeingSeen) {
   const Orientations both{.rpy = {{0, 0, 0}, {std::numbers::pi, 0, 0}},
                           .combine = OrientationRule::information};
   const Samples samples = testing::volume({0, 0, 0}, {0.4, 0.4, 0.8}, 0.1);
-  const Metric metric =
-      std::get<Metric>(parse_metric("eigmax", system.motion.layout));
+  const Metric metric = std::get<Metric>(parse_metric("eigmax", system.motion.layout));
   const Field expected = evaluate_field(noisier, samples, {}, metric);
   const Field mean = evaluate_field(system, samples, both, metric);
   Orientations worst = both;
@@ -156,6 +156,17 @@ TEST(Sight, PointsInsideSolidsAreCountedAndLeftOut) {
   EXPECT_EQ(s.inside, 1u);
   EXPECT_EQ(s.samples, 2u);
   EXPECT_DOUBLE_EQ(s.mean, 0.5);
+}
+
+// A chosen point on a surface is a marker there; a grid's is in the solid.
+TEST(Sight, AMarkerOnASurfaceIsNotInside) {
+  System system = one_device();
+  system.in_world = Occluders({make_box({1, -1, -1}, {2, 1, 1})});
+  const Samples grid = testing::volume({1, 0, 0}, {1.5, 0, 0}, 0.5);
+  EXPECT_EQ(summarize(coverage(system, grid)).inside, 2u);
+  Samples chosen = grid;
+  chosen.parts[0].shape = ScatteredShape{};
+  EXPECT_EQ(summarize(coverage(system, chosen)).inside, 1u);
 }
 
 }  // namespace

@@ -453,7 +453,7 @@ Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) cons
     f.observable.push_back(v.observable);
     f.lost.push_back(static_cast<unsigned char>(v.lost));
   }
-  f.inside = inside_solids(system, samples.points);
+  f.inside = inside_solids(system, samples);
   f.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return f;
 }

@@ -55,18 +55,25 @@ Sight sight_of_box(const System& system, const PlacedDevice& placed,
 }
 
 bool inside_solid(const System& system, const Eigen::Vector3d& p) {
-  if (system.in_world.triangles() == 0 || !system.in_world.contains(p)) return false;
-  // The shaft from a point to a box around it is that box.
-  const Eigen::Vector3d skin = Eigen::Vector3d::Constant(system.skin);
-  return !system.in_world.touches_shaft(p, {p - skin, p + skin});
+  return system.in_world.triangles() > 0 && system.in_world.contains(p);
 }
 
-std::vector<unsigned char> inside_solids(const System& system,
-                                         const std::vector<Eigen::Vector3d>& points) {
+std::vector<unsigned char> inside_solids(const System& system, const Samples& samples) {
   std::vector<unsigned char> inside;
   if (system.in_world.triangles() == 0) return inside;
-  inside.reserve(points.size());
-  for (const Eigen::Vector3d& p : points) inside.push_back(inside_solid(system, p));
+  const Eigen::Vector3d skin = Eigen::Vector3d::Constant(system.skin);
+  inside.reserve(samples.points.size());
+  for (const SamplePart& part : samples.parts) {
+    const bool chosen = std::holds_alternative<ScatteredShape>(part.shape) ||
+                        std::holds_alternative<SurfaceShape>(part.shape);
+    for (std::size_t i = part.first; i < part.first + part.count; ++i) {
+      const Eigen::Vector3d& p = samples.points[i];
+      // The shaft from a point to a box around it is that box.
+      const bool on_surface =
+          chosen && system.in_world.touches_shaft(p, {p - skin, p + skin});
+      inside.push_back(!on_surface && system.in_world.contains(p));
+    }
+  }
   return inside;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "delos/field/system.h"
+#include "delos/sampling/samples.h"
 
 namespace delos {
 
@@ -31,12 +32,13 @@ enum class Sight : std::uint8_t {
                                  const Eigen::Vector3d& arm,
                                  const Eigen::AlignedBox3d& box);
 
-/// Whether a point is inside a solid of the world, farther than the skin from its
-/// surface: a marker on a body isn't in it.
+/// Whether a point is inside a solid of the world, or on its surface.
 [[nodiscard]] bool inside_solid(const System& system, const Eigen::Vector3d& p);
 
-/// The same of many points; empty where nothing is solid.
-[[nodiscard]] std::vector<unsigned char> inside_solids(
-    const System& system, const std::vector<Eigen::Vector3d>& points);
+/// The same of samples; empty where nothing is solid. Points that somebody chose, and
+/// those of a mesh, may be markers on a body: within the skin of a surface they aren't
+/// inside.
+[[nodiscard]] std::vector<unsigned char> inside_solids(const System& system,
+                                                       const Samples& samples);
 
 }  // namespace delos
