@@ -86,7 +86,8 @@ Field picture_field(const Evaluation& evaluation, const Scene& scene,
   const AdaptiveSampling* box = adaptive(scene);
   if (!box || !evaluation.octree) return evaluation.field;
   Field slice = evaluation.octree->read(
-      level_plane(*box, slice_height(evaluation.field, *box, picture)));
+      level_plane(*box, slice_height(evaluation.field, *box, picture)),
+      ShadowEdges::exact);
   slice.scene = evaluation.field.scene;
   return slice;
 }

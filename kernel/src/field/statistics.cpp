@@ -39,7 +39,7 @@ FieldStatistics summarize_range(const Field& field, std::size_t first,
   FieldStatistics s;
   std::vector<Weighted> finite;
   finite.reserve(count);
-  double sum = 0, weight = 0, blind = 0;
+  double sum = 0, weight = 0;
   for (std::size_t i = first; i < first + count; ++i) {
     if (!field.inside.empty() && field.inside[i]) {
       ++s.inside;
@@ -50,10 +50,7 @@ FieldStatistics summarize_range(const Field& field, std::size_t first,
     if (!field.lost.empty() && field.lost[i] == 1) ++s.one_short;
     const double w = field.weight.empty() ? 1 : field.weight[i];
     const double value = field.value[i];
-    if (!std::isfinite(value)) {
-      blind += w;
-      continue;
-    }
+    if (!std::isfinite(value)) continue;
     if (finite.empty() || value < s.min.value) s.min = {value, field.samples.points[i]};
     if (finite.empty() || value > s.max.value) s.max = {value, field.samples.points[i]};
     sum += w * value;
@@ -61,7 +58,6 @@ FieldStatistics summarize_range(const Field& field, std::size_t first,
     finite.push_back({value, w});
   }
   s.finite = finite.size();
-  if (blind > 0) s.blind_fraction = blind / (blind + weight);
   if (finite.empty()) return s;
 
   std::sort(finite.begin(), finite.end(),

@@ -55,7 +55,6 @@ struct FieldStatistics {
   Extreme min, max;        ///< the first one where several are equal
   /// By volume, where samples have weights. Percentiles interpolate linearly.
   double mean = 0, median = 0, p95 = 0;
-  double blind_fraction = 0;  ///< part, by weight, at which the metric isn't finite
 };
 
 /// @returns all zero but `samples` where no value is finite.
