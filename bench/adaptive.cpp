@@ -11,7 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -138,6 +138,20 @@ struct Setting {
   int depth;
 };
 
+AdaptiveField octree_of(const Case& c, const Setting& setting,
+                        std::optional<double> near_value) {
+  AdaptiveSampling sampling;
+  sampling.min = c.box.min();
+  sampling.max = c.box.max();
+  sampling.tolerance = setting.tolerance;
+  sampling.depth = setting.depth;
+  sampling.near_value = near_value;
+  AdaptiveOptions options;
+  options.field.threads = 1;
+  options.held_back = 0;
+  return evaluate_adaptive(c.system, sampling, c.orientations, c.metric, options);
+}
+
 void compare(const Case& c, const std::vector<int>& grids,
              const std::vector<Setting>& settings) {
   const Samples points = random_points(c.box, 40'000, 1);
@@ -158,16 +172,7 @@ void compare(const Case& c, const std::vector<int>& grids,
   }
   double saved = 0;
   for (const Setting& setting : settings) {
-    AdaptiveSampling sampling;
-    sampling.min = c.box.min();
-    sampling.max = c.box.max();
-    sampling.tolerance = setting.tolerance;
-    sampling.depth = setting.depth;
-    AdaptiveOptions options;
-    options.field.threads = 1;
-    options.held_back = 0;
-    const AdaptiveField field =
-        evaluate_adaptive(c.system, sampling, c.orientations, c.metric, options);
+    const AdaptiveField field = octree_of(c, setting, {});
     const AdaptiveReport& report = field.report();
     const auto evaluations = static_cast<double>(field.field().evaluations);
     char what[32];
@@ -251,17 +256,7 @@ void focus(const Case& c, double value, const std::vector<int>& grids,
                 distance);
   }
   for (const Setting& setting : settings) {
-    AdaptiveSampling sampling;
-    sampling.min = c.box.min();
-    sampling.max = c.box.max();
-    sampling.tolerance = setting.tolerance;
-    sampling.depth = setting.depth;
-    sampling.near_value = value;
-    AdaptiveOptions options;
-    options.field.threads = 1;
-    options.held_back = 0;
-    const AdaptiveField field =
-        evaluate_adaptive(c.system, sampling, c.orientations, c.metric, options);
+    const AdaptiveField field = octree_of(c, setting, value);
     const double distance = surface_distance(
         c, value, [&](const Samples& s) { return field.read(s).value; });
     std::printf("octree %6.2g %% depth %d     %11zu %14.3g\n", 100 * setting.tolerance,

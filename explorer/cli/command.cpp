@@ -56,8 +56,16 @@ std::vector<Override> overrides_of(const SceneOptions& options) {
 std::optional<LoadedScene> load(const std::filesystem::path& file,
                                 const SceneOptions& options, PluginRegistry& plugins,
                                 Diagnostics& diagnostics) {
+  std::optional<Progress> reading;
+  std::filesystem::path read_now;
+  const MeshProgress progress = [&](const std::filesystem::path& mesh, double part) {
+    if (!reading || mesh != read_now) reading.emplace("reading " + mesh.string());
+    read_now = mesh;
+    reading->update(static_cast<std::size_t>(1000 * part), 1000);
+  };
   const std::optional<Scene> scene =
-      load_scene(file, overrides_of(options), plugins, diagnostics);
+      load_scene(file, overrides_of(options), plugins, diagnostics, progress);
+  reading.reset();
   if (!scene) return std::nullopt;
 
   const auto metric = parse_metric(scene->metric, scene->motion.layout);

@@ -67,11 +67,12 @@ class RoomFolder {
   }
 
   /// Findings name files without the folder.
-  [[nodiscard]] Loaded load(const std::string& text) const {
+  [[nodiscard]] Loaded load(const std::string& text,
+                            const MeshProgress& progress = {}) const {
     Diagnostics diagnostics;
     Loaded loaded;
-    loaded.scene =
-        parse_scene(text, folder_.path / "scene.yaml", {}, plugins(), diagnostics);
+    loaded.scene = parse_scene(text, folder_.path / "scene.yaml", {}, plugins(),
+                               diagnostics, progress);
     const std::string path = folder_.path.string() + '/';
     for (const Diagnostic& d : diagnostics) {
       std::string finding = to_string(d);

@@ -232,6 +232,22 @@ TEST(Room, ReadsAMeshOnce) {
   EXPECT_EQ(body_mesh(b).vertices[1], Eigen::Vector3d(0.5, 0, 0));
 }
 
+TEST(Room, TellsHowMuchOfAMeshIsRead) {
+  const RoomFolder folder("progress");
+  folder.write("t.off", kTetrahedron);
+  std::vector<double> parts;
+  const Loaded loaded = folder.load(
+      room_with("box: {min: [0, 0, 0.7], max: [2, 1, 0.74]}", "mesh: t.off"),
+      [&](const std::filesystem::path& file, double part) {
+        EXPECT_EQ(file.filename(), "t.off");
+        parts.push_back(part);
+      });
+  ASSERT_TRUE(loaded.scene);
+  ASSERT_FALSE(parts.empty());
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_EQ(parts.back(), 1);
+}
+
 TEST(Room, IsReachedByOverrides) {
   const auto changed = [](const std::string& path, const std::string& value) {
     return accepted(kRoom, {{path, value}});

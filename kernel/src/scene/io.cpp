@@ -14,7 +14,8 @@ namespace delos {
 
 std::optional<Scene> load_scene(const std::filesystem::path& file,
                                 const std::vector<Override>& overrides,
-                                PluginRegistry& plugins, Diagnostics& diagnostics) {
+                                PluginRegistry& plugins, Diagnostics& diagnostics,
+                                const MeshProgress& progress) {
   const auto refuse = [&](const std::string& why) {
     Diagnostic diagnostic;
     diagnostic.where.file = file.string();
@@ -28,18 +29,19 @@ std::optional<Scene> load_scene(const std::filesystem::path& file,
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return refuse(std::generic_category().message(errno));
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_scene(text, file, overrides, plugins, diagnostics);
+  return parse_scene(text, file, overrides, plugins, diagnostics, progress);
 }
 
 std::optional<Scene> parse_scene(std::string_view text,
                                  const std::filesystem::path& file,
                                  const std::vector<Override>& overrides,
-                                 PluginRegistry& plugins, Diagnostics& diagnostics) {
+                                 PluginRegistry& plugins, Diagnostics& diagnostics,
+                                 const MeshProgress& progress) {
   Findings findings;
   const int source = findings.add_source(file.string());
   std::optional<Scene> scene;
   if (auto tree = parse_yaml(text, source, true, findings)) {
-    Reader reader{findings, plugins, file.parent_path()};
+    Reader reader{findings, plugins, file.parent_path(), MeshFiles(progress)};
     check_duplicate_keys(reader, Place(*tree));
     for (const Override& change : overrides) apply_override(*tree, change, findings);
     scene = read_scene(reader, *tree);

@@ -5,8 +5,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "delos/geometry/mesh.h"
+#include "delos/scene/io.h"
 
 namespace delos {
 
@@ -18,10 +20,13 @@ class MeshFiles {
     bool defects_known = false;  ///< they have been looked for and reported
   };
 
+  explicit MeshFiles(MeshProgress progress = {}) : progress_(std::move(progress)) {}
+
   /// @returns what came of reading it now or earlier; stays where it is.
   File& read(const std::filesystem::path& file);
 
  private:
+  MeshProgress progress_;
   std::map<std::filesystem::path, File> files_;
 };
 

@@ -45,7 +45,7 @@ struct Reader {
   Findings& findings;
   PluginRegistry& plugins;
   std::filesystem::path folder;  ///< what relative paths start from
-  MeshFiles meshes = {};
+  MeshFiles meshes{};
 
   /// "path: problem" at the place's node.
   void error(const Place& at, std::string problem);

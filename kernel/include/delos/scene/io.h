@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,25 +20,32 @@ struct Override {
   std::string value;
 };
 
-/// "PATH=VALUE" as the command line writes it; nullopt where there is no '=' or no path.
+/// "PATH=VALUE" as the command line writes it; nullopt where there is no '=' or no
+/// path.
 [[nodiscard]] DELOS_API std::optional<Override> parse_override(std::string_view text);
+
+/// Told now and then how much of a mesh file has been read, in [0, 1].
+using MeshProgress =
+    std::function<void(const std::filesystem::path& file, double fraction)>;
 
 /// Read a scene file.
 ///
-/// Every value is checked against the parameter tables of the plugins that the scene names;
-/// all findings of the file are reported together, none is mended silently.
+/// Every value is checked against the parameter tables of the plugins that the scene
+/// names; all findings of the file are reported together, none is mended silently.
 /// @param overrides applied in order before the check; findings in them are located as
 ///        "--set PATH".
 /// @returns nullopt where a finding is an error.
 [[nodiscard]] DELOS_API std::optional<Scene> load_scene(
     const std::filesystem::path& file, const std::vector<Override>& overrides,
-    PluginRegistry& plugins, Diagnostics& diagnostics);
+    PluginRegistry& plugins, Diagnostics& diagnostics,
+    const MeshProgress& progress = {});
 
-/// The same from text; `file` names it in messages and is what relative paths start from.
+/// The same from text; `file` names it in messages and is what relative paths start
+/// from.
 [[nodiscard]] DELOS_API std::optional<Scene> parse_scene(
     std::string_view text, const std::filesystem::path& file,
     const std::vector<Override>& overrides, PluginRegistry& plugins,
-    Diagnostics& diagnostics);
+    Diagnostics& diagnostics, const MeshProgress& progress = {});
 
 /// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
 [[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
