@@ -12,7 +12,8 @@
 namespace delos {
 
 /// How an adaptive field decides, between nodes, on which side of a shadow's edge a
-/// point lies. Edges of fields of view are always exact.
+/// point lies. Edges of fields of view are exact where they are convex or the device
+/// says where they run, by view_of_ball().
 enum class ShadowEdges {
   nearest,  ///< as the nearest corner of its cell, which is as fine as `depth` allows
   exact,    ///< a ray for the point itself, where its cell leaves a doubt
