@@ -279,19 +279,35 @@ Eigen::AlignedBox3d box(Eigen::Vector3d min, Eigen::Vector3d max) { return {min,
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  const auto wanted = [&](const char* part) {
+    return argc == 1 ||
+           std::find(argv + 1, argv + argc, std::string(part)) != argv + argc;
+  };
   const Case acoustic = scene_case("01-acoustic.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
   const Case cameras =
       scene_case("02-eight-cameras.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
   const Case lab =
       scene_case("06-furnished-lab.yaml", box({-3, -4.2, 0}, {1.6, 3.4, 2}));
   const Case torso = scene_case("07-torso.yaml", box({-0.6, -0.5, 0}, {0.6, 0.5, 0.5}));
-  compare(acoustic, {9, 17, 33, 65},
-          {{2e-3, 8}, {1e-3, 8}, {5e-4, 8}, {2e-4, 8}, {1e-4, 8}});
-  compare(cameras, {17, 33, 65, 129, 257}, {{1e-2, 8}, {1e-5, 8}, {1e-6, 8}});
-  compare(lab, {17, 33, 65, 129, 257}, {{0.02, 3}, {0.02, 4}, {0.02, 5}, {0.02, 6}});
-  compare(torso, {17, 33, 65, 129}, {{0.02, 3}, {0.02, 4}, {0.02, 5}, {0.02, 6}});
-  focus(acoustic, 0.04, {17, 33, 65}, {{5e-3, 8}, {5e-4, 8}, {5e-5, 8}});
-  visibility_share(lab);
-  visibility_share(torso);
+  if (wanted("acoustic")) {
+    compare(acoustic, {9, 17, 33, 65},
+            {{2e-3, 8}, {1e-3, 8}, {5e-4, 8}, {2e-4, 8}, {1e-4, 8}});
+  }
+  if (wanted("cameras")) {
+    compare(cameras, {17, 33, 65, 129, 257}, {{1e-2, 8}, {1e-5, 8}, {1e-6, 8}});
+  }
+  if (wanted("lab")) {
+    compare(lab, {17, 33, 65, 129, 257}, {{0.02, 3}, {0.02, 4}, {0.02, 5}, {0.02, 6}});
+  }
+  if (wanted("torso")) {
+    compare(torso, {17, 33, 65, 129}, {{0.02, 3}, {0.02, 4}, {0.02, 5}, {0.02, 6}});
+  }
+  if (wanted("focus")) {
+    focus(acoustic, 0.04, {17, 33, 65}, {{5e-3, 8}, {5e-4, 8}, {5e-5, 8}});
+  }
+  if (wanted("sight")) {
+    visibility_share(lab);
+    visibility_share(torso);
+  }
 }
