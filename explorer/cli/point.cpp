@@ -7,8 +7,10 @@
 #include <memory>
 
 #include "command.h"
+#include "delos/field/beacon_use.h"
 #include "delos/output/format.h"
 #include "json.h"
+#include "summary.h"
 
 namespace delos::cli {
 namespace {
@@ -66,6 +68,16 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
                                {"visible", d.visible},
                                {"share", number(d.share)}});
   }
+  const std::vector<SeenBeacon> seen = seen_beacons(loaded.system, report.pose);
+  if (seen.empty()) return json;
+  json["sightings"] = Json::array();
+  for (const SeenBeacon& s : seen) {
+    json["sightings"].push_back({{"device", s.device},
+                                 {"view", s.view},
+                                 {"beacon", numbers(s.at)},
+                                 {"distance", number(s.distance)},
+                                 {"share", number(s.share)}});
+  }
   return json;
 }
 
@@ -80,6 +92,29 @@ std::string direction(const StateLayout& layout, const StateVector& v) {
     text << names[static_cast<std::size_t>(i)] << " " << v(i);
   }
   return text.str();
+}
+
+/// What devices on the target see, a line for each view that sees anything.
+void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
+  struct Line {
+    std::size_t beacons = 0;
+    double share = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+  };
+  std::vector<std::pair<std::string, Line>> lines;
+  for (const SeenBeacon& s : seen) {
+    const std::string name = s.device + ", " + s.view;
+    if (lines.empty() || lines.back().first != name) lines.push_back({name, {}});
+    Line& line = lines.back().second;
+    ++line.beacons;
+    line.share += s.share;
+    line.nearest = std::min(line.nearest, s.distance);
+  }
+  for (const auto& [name, line] : lines) {
+    out << "  " << std::left << std::setw(44) << name << counted(line.beacons, "beacon")
+        << " from " << format_quantity(line.nearest, "m") << ", "
+        << std::setprecision(3) << line.share << " sightings an update\n";
+  }
 }
 
 void print(std::ostream& out, const PointReport& report, const LoadedScene& loaded) {
@@ -116,6 +151,12 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
       out << std::setprecision(3) << 100 * d.share << " %";
     }
     out << "\n";
+  }
+  const std::vector<SeenBeacon> seen = seen_beacons(loaded.system, report.pose);
+  if (!seen.empty()) out << "Beacons in view\n";
+  print_sightings(out, seen);
+  for (const std::string& why : blind_devices(loaded.system, {report.pose})) {
+    out << why << "\n";
   }
 }
 
@@ -154,7 +195,8 @@ void add_point_command(CLI::App& program, int& exit_code) {
   app->footer(
       "Examples:\n"
       "  delos point scenes/01-acoustic.yaml --at 0.2,0.2,0.4\n"
-      "  delos point scenes/02-eight-cameras.yaml --at '20 cm,20 cm,24 cm' --json");
+      "  delos point scenes/02-eight-cameras.yaml --at '20 cm,20 cm,24 cm' --json\n"
+      "  delos point scenes/hiball/six-lepd.yaml --at 4.5,7.5,1.9");
   app->callback([command, &exit_code] { exit_code = run(*command); });
 }
 

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "delos/field/beacon_use.h"
 #include "delos/output/format.h"
 
 namespace delos::cli {
@@ -14,6 +15,12 @@ std::string coordinates(const Eigen::Vector3d& p) {
   text << std::setprecision(4) << "(" << p.x() << ", " << p.y() << ", " << p.z()
        << ") m";
   return text.str();
+}
+
+/// What keeps devices on the target from seeing anything.
+std::vector<std::string> why_blind(const LoadedScene& loaded, const Field& field) {
+  return blind_devices(loaded.system,
+                       field_poses(field.samples, loaded.scene.orientations));
 }
 
 }  // namespace
@@ -38,6 +45,7 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";
+    for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";
     return;
   }
   const bool up = loaded.metric.larger_is_better;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <set>
@@ -47,17 +48,42 @@ int columns(const Device& device) {
   return 0;
 }
 
-/// Targets on all sides, 5 cm to 50 m away, turned, moving and off the linearisation.
-std::vector<Target> cloud(const Device& device, int size) {
+/// A target, and the view that looks at it.
+struct Seen {
+  int view = 0;
+  Target target;
+};
+
+/// A direction in a cone, or any where the cone is wide.
+Eigen::Vector3d direction(const ViewCone& cone, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Eigen::Vector3d any =
+      Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+  if (cone.half_angle >= 1) return any;
+  const double angle = cone.half_angle * std::sqrt(uniform(random));
+  const Eigen::Vector3d aside = cone.axis.cross(any).normalized();
+  return std::cos(angle) * cone.axis + std::sin(angle) * aside;
+}
+
+/// Targets in the cones of all views in turn, 5 cm to 50 m away, turned, moving, off
+/// the linearisation and facing the device more or less.
+std::vector<Seen> cloud(const Device& device, int size) {
   std::mt19937_64 random(20240607);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> decades(std::log(0.05), std::log(50));
   const auto vector = [&](int n) -> Eigen::VectorXd {
     return Eigen::VectorXd::NullaryExpr(n, [&] { return normal(random); });
   };
-  std::vector<Target> targets(size);
-  for (Target& t : targets) {
-    t.p_ST = vector(3).normalized() * std::exp(decades(random));
+  std::vector<Seen> targets(size);
+  for (int i = 0; i < size; ++i) {
+    const int view = i % device.views();
+    const ViewCone cone = device.view_cone(view);
+    targets[static_cast<std::size_t>(i)].view = view;
+    Target& t = targets[static_cast<std::size_t>(i)].target;
+    const Eigen::Vector3d way = direction(cone, random);
+    t.p_ST = cone.apex + way * std::exp(decades(random));
+    t.n_ST = (-way + 0.5 * vector(3)).normalized();
     t.R_ST = Eigen::Quaterniond(Eigen::Vector4d(vector(4).normalized())).matrix();
     t.velocity = vector(6);
     t.acceleration = vector(6);
@@ -67,7 +93,8 @@ std::vector<Target> cloud(const Device& device, int size) {
 }
 
 /// The target with column `c` of the Jacobian's variables moved by h.
-Target moved(Target t, Span span, int c, double h) {
+Seen moved(Seen seen, Span span, int c, double h) {
+  Target& t = seen.target;
   if (span == Span::state) {
     t.state(c) += h;
   } else if (c < 3) {
@@ -79,14 +106,18 @@ Target moved(Target t, Span span, int c, double h) {
   } else {
     t.acceleration(c - 12) += h;
   }
-  return t;
+  return seen;
+}
+
+bool observe(const Device& device, const Seen& at, Observation& out) {
+  return device.observe_view(at.view, at.target, out);
 }
 
 /// All numbers of an answer in one row, nothing where the target isn't seen.
 using Answer = std::optional<Eigen::VectorXd>;
 
-Answer answer(const Device& device, const Target& target, Observation& out) {
-  if (!device.observe(target, out)) return {};
+Answer answer(const Device& device, const Seen& target, Observation& out) {
+  if (!observe(device, target, out)) return {};
   Eigen::VectorXd all(out.z.size() + out.H.size() + out.R.size());
   all << out.z, out.H.reshaped(), out.R.reshaped();
   return all;
@@ -140,9 +171,9 @@ TEST_P(DeviceContract, SizesAreConsistentAndSomethingIsSeen) {
     ASSERT_EQ(device_->state_size(), 0);
   }
   int seen = 0;
-  for (const Target& t : cloud(*device_, 4000)) {
+  for (const Seen& t : cloud(*device_, 4000)) {
     Observation out;
-    if (!device_->observe(t, out)) continue;
+    if (!observe(*device_, t, out)) continue;
     ++seen;
     ASSERT_GE(out.z.size(), 1);
     ASSERT_EQ(out.H.rows(), out.z.size());
@@ -156,26 +187,26 @@ TEST_P(DeviceContract, SizesAreConsistentAndSomethingIsSeen) {
 }
 
 TEST_P(DeviceContract, JacobianMatchesCentralDifferences) {
-  for (const Target& t : cloud(*device_, 4000)) {
+  for (const Seen& t : cloud(*device_, 4000)) {
     Observation here, plus, minus;
-    if (!device_->observe(t, here)) continue;
+    if (!observe(*device_, t, here)) continue;
     for (int c = 0; c < columns(*device_); ++c) {
       // Error h²z‴/6 + ε z/h, least about here for readings that vary over the range.
-      const double h = 1e-5 * (c < 3 ? t.p_ST.norm() : 1);
-      if (!device_->observe(moved(t, device_->span(), c, h), plus)) continue;
-      if (!device_->observe(moved(t, device_->span(), c, -h), minus)) continue;
+      const double h = 1e-5 * (c < 3 ? t.target.p_ST.norm() : 1);
+      if (!observe(*device_, moved(t, device_->span(), c, h), plus)) continue;
+      if (!observe(*device_, moved(t, device_->span(), c, -h), minus)) continue;
       const Eigen::VectorXd slope = (plus.z - minus.z) / (2 * h);
       ASSERT_LT((slope - here.H.col(c)).norm(), 1e-6 * (1e-3 + here.H.norm()))
-          << "column " << c << " at " << t.p_ST.transpose() << ": H says "
+          << "column " << c << " at " << t.target.p_ST.transpose() << ": H says "
           << here.H.col(c).transpose() << ", differences " << slope.transpose();
     }
   }
 }
 
 TEST_P(DeviceContract, NoiseIsSymmetricAndNotNegative) {
-  for (const Target& t : cloud(*device_, 4000)) {
+  for (const Seen& t : cloud(*device_, 4000)) {
     Observation out;
-    if (!device_->observe(t, out)) continue;
+    if (!observe(*device_, t, out)) continue;
     ASSERT_EQ(out.R, out.R.transpose());
     const Eigen::VectorXd values =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(out.R).eigenvalues();
@@ -185,7 +216,7 @@ TEST_P(DeviceContract, NoiseIsSymmetricAndNotNegative) {
 
 TEST_P(DeviceContract, ForgetsWhatOutHeldBefore) {
   Observation used;
-  for (const Target& t : cloud(*device_, 1000)) {
+  for (const Seen& t : cloud(*device_, 1000)) {
     Observation fresh;
     const double nan = std::nan("");
     used.z.setConstant(kMaxRows, nan);
@@ -195,9 +226,40 @@ TEST_P(DeviceContract, ForgetsWhatOutHeldBefore) {
   }
 }
 
+// What a view sees lies in its cone, and observe() sees what any view sees.
+TEST_P(DeviceContract, ViewsSeeInTheirConesOnly) {
+  ASSERT_GE(device_->views(), 1);
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> normal;
+  std::set<std::string> names;
+  for (int view = 0; view < device_->views(); ++view) {
+    EXPECT_TRUE(names.insert(device_->view_name(view)).second);
+    const ViewCone cone = device_->view_cone(view);
+    EXPECT_NEAR(cone.axis.norm(), 1, 1e-12);
+    EXPECT_GT(cone.half_angle, 0);
+  }
+  for (const Seen& center : cloud(*device_, 4000)) {
+    Seen at = center;
+    const ViewCone cone = device_->view_cone(at.view);
+    // As often outside of the cone as inside.
+    const double off = 0.5 * std::min(cone.half_angle, 1.0) * at.target.p_ST.norm();
+    at.target.p_ST +=
+        off * Eigen::Vector3d(normal(random), normal(random), normal(random));
+    Observation out;
+    if (!observe(*device_, at, out)) continue;
+    EXPECT_TRUE(device_->observe(at.target, out));
+    const Eigen::Vector3d way = at.target.p_ST - cone.apex;
+    EXPECT_LE(way.norm(), cone.range);
+    if (cone.half_angle < std::numbers::pi) {
+      EXPECT_LE(std::atan2(cone.axis.cross(way).norm(), cone.axis.dot(way)),
+                cone.half_angle);
+    }
+  }
+}
+
 // The faster entry, where there is one, against observe() of each point.
 TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
-  const std::vector<Target> targets = cloud(*device_, 4000);
+  const std::vector<Seen> targets = cloud(*device_, 4000);
   const double nan = std::nan("");
   for (std::size_t first = 0; first < targets.size(); first += kLanes) {
     PointLanes points;
@@ -206,7 +268,7 @@ TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
     for (int i = 0; i < 3; ++i) {
       std::fill_n(points.p[i], kLanes, nan);
       for (int l = 0; l < points.count; ++l) {
-        points.p[i][l] = targets[first + static_cast<std::size_t>(l)].p_ST(i);
+        points.p[i][l] = targets[first + static_cast<std::size_t>(l)].target.p_ST(i);
       }
     }
     RowLanes rows;
@@ -216,7 +278,7 @@ TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
     ASSERT_LE(rows.rows, kMaxLaneRows);
     for (int l = 0; l < points.count; ++l) {
       Observation one;
-      const Target& target = targets[first + static_cast<std::size_t>(l)];
+      const Target& target = targets[first + static_cast<std::size_t>(l)].target;
       ASSERT_EQ(device_->observe(target, one), rows.seen[l] != 0);
       if (!rows.seen[l]) continue;
       ASSERT_EQ(one.z.size(), rows.rows);
@@ -238,7 +300,8 @@ TEST_P(DeviceContract, ViewsOfBallsHoldForTheirPoints) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0, 1);
   int decided = 0;
-  for (const Target& center : cloud(*device_, 1000)) {
+  for (const Seen& seen : cloud(*device_, 1000)) {
+    const Target& center = seen.target;
     const double radius = 0.3 * uniform(random) * center.p_ST.norm();
     const View view = device_->view_of_ball(center.p_ST, radius);
     if (view == View::unknown || view == View::crossing) continue;
@@ -257,22 +320,22 @@ TEST_P(DeviceContract, ViewsOfBallsHoldForTheirPoints) {
 }
 
 TEST_P(DeviceContract, TakesNothingFromTheHeap) {
-  const std::vector<Target> targets = cloud(*device_, 1000);
+  const std::vector<Seen> targets = cloud(*device_, 1000);
   Observation out;
   int seen = 0;
   EXPECT_EQ(allocations([&] {
-              for (const Target& t : targets) seen += device_->observe(t, out);
+              for (const Seen& t : targets) seen += observe(*device_, t, out);
             }),
             0u);
   EXPECT_GT(seen, 0);
 }
 
 TEST_P(DeviceContract, AnswersTheSameFromSeveralThreads) {
-  const std::vector<Target> targets = cloud(*device_, 1000);
+  const std::vector<Seen> targets = cloud(*device_, 1000);
   const auto answers = [&] {
     std::vector<Answer> all;
     Observation out;
-    for (const Target& t : targets) all.push_back(answer(*device_, t, out));
+    for (const Seen& t : targets) all.push_back(answer(*device_, t, out));
     return all;
   };
   const std::vector<Answer> alone = answers();

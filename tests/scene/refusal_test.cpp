@@ -87,24 +87,18 @@ std::vector<Bad> bad_texts() {
           "50 "
           "Hz")}},
       {"LaterTopKeys",
-       kGood + "beacons: {}\nvariables: []\nconstraints: []\nobjective: {}\n",
-       {e("18:10: error: beacons: not supported by this version: sets of beacons for "
-          "inside-out devices"),
-        e("19:12: error: variables: not supported by this version: what a search may "
+       kGood + "variables: []\nconstraints: []\nobjective: {}\n",
+       {e("18:12: error: variables: not supported by this version: what a search may "
           "change"),
-        e("20:14: error: constraints: not supported by this version: what a search "
+        e("19:14: error: constraints: not supported by this version: what a search "
           "must "
           "keep"),
-        e("21:12: error: objective: not supported by this version: what a search makes "
+        e("20:12: error: objective: not supported by this version: what a search makes "
           "small")}},
       {"LaterSampleKey",
        good_with(kVolume, "path: walk.csv"),
        {e("8:9: error: sample.path: not supported by this version: samples along a "
           "recorded path")}},
-      {"LaterMount",
-       good_with("    rate: 50 Hz", "    mount: target\n    rate: 50 Hz"),
-       {e("14:12: error: devices.s1.mount: 'target' is not supported by this version; "
-          "devices are in the world")}},
 
       // ---- values ----
       {"WrongUnit",

@@ -12,4 +12,12 @@ View Device::view_of_ball(const Eigen::Vector3d&, double) const {
   return View::unknown;
 }
 
+ViewCone Device::view_cone(int) const { return {}; }
+
+std::string Device::view_name(int view) const { return "view " + std::to_string(view); }
+
+bool Device::observe_view(int, const Target& target, Observation& out) const {
+  return observe(target, out);
+}
+
 }  // namespace delos

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "field/beacon_sightings.h"
 #include "field/measure.h"
 #include "field/point_rows.h"
 
@@ -40,6 +41,23 @@ void observe_poses(const System& system, const PlacedDevice& placed, int columns
                   whiten(rows, R, noisy, exact);
                 });
     if (sees) seen |= bit;
+  }
+}
+
+/// The same of a device on the target and the beacons that it sees.
+void observe_beacons(const System& system, const PlacedDevice& placed, int coordinates,
+                     std::span<const TargetPose> poses, double* layer,
+                     std::uint64_t& seen, std::uint64_t& perfect) {
+  BeaconSightings sightings;
+  for (std::size_t lane = 0; lane < poses.size(); ++lane) {
+    const std::uint64_t bit = std::uint64_t{1} << lane;
+    double S[packed_index(kMaxCoordinates, 0)] = {};
+    see_beacons(system, placed, poses[lane], sightings);
+    if (!sightings.all.empty()) seen |= bit;
+    if (add_information(sightings, coordinates, S)) perfect |= bit;
+    for (int e = 0; e < packed_index(coordinates, 0); ++e) {
+      layer[static_cast<std::size_t>(e) * kLanes + lane] = S[e];
+    }
   }
 }
 
@@ -82,6 +100,11 @@ void observe_device(const System& system, const LayerShape& shape, std::size_t d
   std::fill_n(layer, shape.stride, 0.0);
   std::uint64_t &seen = block.seen[device], &perfect = block.perfect[device];
   seen = perfect = 0;
+  if (placed.beacons) {
+    observe_beacons(system, placed, system.motion.layout.coordinates(), poses, layer,
+                    seen, perfect);
+    return;
+  }
   if (observe_lanes(system, placed, poses, layer, seen, perfect)) return;
   observe_poses(system, placed, shape.columns, poses, layer, seen, perfect);
 }

@@ -12,8 +12,9 @@ namespace delos {
 namespace {
 
 bool same_layer(const System& a, const System& b, std::size_t i) {
-  return a.devices[i].device == b.devices[i].device &&
-         a.devices[i].X_WS == b.devices[i].X_WS;
+  const PlacedDevice &p = a.devices[i], &q = b.devices[i];
+  return p.device == q.device && p.X_WS == q.X_WS && p.X_TS == q.X_TS &&
+         p.beacons == q.beacons && p.select == q.select && p.count == q.count;
 }
 
 /// True where a layer of one is a layer of the other.

@@ -1,23 +1,22 @@
-// From a device's own frame to rows over the state: frames, lever arms and whitening.
+// From a device's own frame to rows over the state: frames and lever arms.
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
+#include <utility>
 
 #include "delos/field/system.h"
+#include "field/beacon_sightings.h"
 #include "field/sight.h"
+#include "field/whiten.h"
 
 namespace delos {
-
-/// Rows over the pose coordinates or the whole state, stored inline.
-using StateRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                kMaxRows, kMaxState>;
 
 /// What is reused from one observation to the next, so that no loop allocates.
 struct MeasureScratch {
   Target target;
   Observation observation;
   StateRows rows;
+  BeaconSightings sightings;
 };
 
 /// Turn three columns that are a gradient in S into one in W: H_W = H_S R_SW.
@@ -28,12 +27,37 @@ inline void turn(const Observation& o, int from, const Eigen::Matrix3d& R_SW, in
   }
 }
 
+/// Visit every sighting of a beacon that is used: its share makes its noise larger.
+template <class Visit>
+bool measure_beacons(const System& system, const PlacedDevice& placed,
+                     const TargetPose& X_WT, int columns, MeasureScratch& scratch,
+                     Visit&& visit) {
+  const int d = system.motion.layout.coordinates();
+  see_beacons(system, placed, X_WT, scratch.sightings);
+  for (const BeaconSighting& s : scratch.sightings.all) {
+    if (s.share == 0) continue;
+    scratch.rows.setZero(s.rows, columns);
+    scratch.observation.R.setZero(s.rows, s.rows);
+    for (Eigen::Index i = 0; i < s.rows; ++i) {
+      const SightingRow& row = scratch.sightings.rows[s.first_row + i];
+      scratch.rows.row(i).head(d) = Eigen::Map<const Eigen::RowVectorXd>(row.h, d);
+      scratch.observation.R(i, i) = row.variance / s.share;
+    }
+    visit(scratch.rows, scratch.observation.R);
+  }
+  return !scratch.sightings.all.empty();
+}
+
 /// Visit every observation that a device makes of a target at X_WT: `visit(rows, R)`
 /// with rows m×c over the pose coordinates (or the whole state) and R m×m.
 /// @returns whether the device sees any of the target.
 template <class Visit>
 bool measure(const System& system, const PlacedDevice& placed, const TargetPose& X_WT,
              int columns, MeasureScratch& scratch, Visit&& visit) {
+  if (placed.beacons) {
+    return measure_beacons(system, placed, X_WT, columns, scratch,
+                           std::forward<Visit>(visit));
+  }
   const StateLayout& layout = system.motion.layout;
   const int d = layout.coordinates();
   const bool position = layout.pose != PoseState::orientation;
@@ -92,49 +116,6 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
     }
   }
   return false;
-}
-
-/// R = V diag(r) Vᵀ.
-struct IndependentNoise {
-  decltype(Observation::R) directions;  ///< V
-  decltype(Observation::z) variance;    ///< r, with 0 for what counts as no noise
-};
-
-/// Variances up to m·ε times the largest, or too small to invert, count as no noise.
-IndependentNoise independent_noise(const decltype(Observation::R)& R);
-
-/// Split an observation into directions of independent noise: `noisy(row, variance)`
-/// for each eigenvector of R with finite weight, `exact(row)` for those without noise.
-///
-/// Smaller than m·ε times the largest variance, or too small to invert: no noise.
-template <class Noisy, class Exact>
-void whiten(const StateRows& rows, const decltype(Observation::R)& R, Noisy&& noisy,
-            Exact&& exact) {
-  const double least = std::numeric_limits<double>::min();
-  if (R.rows() == 1) {
-    if (R(0, 0) >= least) {
-      noisy(rows.row(0), R(0, 0));
-    } else {
-      exact(rows.row(0));
-    }
-    return;
-  }
-  if (R.rows() == 2 && R(0, 1) == 0 && R(1, 0) == 0 && R(0, 0) >= least &&
-      R(1, 1) >= least) {
-    noisy(rows.row(0), R(0, 0));
-    noisy(rows.row(1), R(1, 1));
-    return;
-  }
-  const IndependentNoise split = independent_noise(R);
-  for (Eigen::Index i = 0; i < R.rows(); ++i) {
-    const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxState> row =
-        split.directions.col(i).transpose() * rows;
-    if (split.variance(i) > 0) {
-      noisy(row, split.variance(i));
-    } else {
-      exact(row);
-    }
-  }
 }
 
 }  // namespace delos

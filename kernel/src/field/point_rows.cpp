@@ -104,7 +104,7 @@ void look(const System& system, const PlacedDevice& placed,
 bool observe_rows(const System& system, const PlacedDevice& placed,
                   const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out) {
-  if (placed.device->span() != Span::point) return false;
+  if (placed.beacons || placed.device->span() != Span::point) return false;
   PointLanes points;
   RowLanes rows;
   Vectors arm = {};

@@ -1,6 +1,7 @@
 #include "delos/field/system.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace delos {
@@ -19,6 +20,46 @@ std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
   const PlacedDevice& old = previous->devices[index];
   return old.type == entry.type && old.params == entry.params ? old.device : nullptr;
 }
+
+/// The index of the beacons that a device sees.
+std::shared_ptr<const BeaconIndex> beacons_of(const Scene& scene,
+                                              const DeviceEntry& entry) {
+  std::vector<Beacon> all;
+  for (const BeaconSet& set : scene.beacons) {
+    const auto& sees = entry.beacons;
+    if (!sees.empty() && std::find(sees.begin(), sees.end(), set.name) == sees.end()) {
+      continue;
+    }
+    const std::vector<Beacon> lit = lit_beacons(set);
+    all.insert(all.end(), lit.begin(), lit.end());
+  }
+  return std::make_shared<const BeaconIndex>(std::move(all));
+}
+
+/// The same, shared with the previous system and with devices of the same sets.
+class BeaconSharing {
+ public:
+  BeaconSharing(const Scene& scene, const System* previous)
+      : scene_(scene),
+        previous_(previous && previous->beacon_sets == scene.beacons ? previous
+                                                                     : nullptr) {}
+
+  std::shared_ptr<const BeaconIndex> operator()(std::size_t index,
+                                                const DeviceEntry& entry) {
+    if (previous_ && index < previous_->devices.size()) {
+      const PlacedDevice& old = previous_->devices[index];
+      if (old.beacons && old.sees == entry.beacons) return old.beacons;
+    }
+    auto& made = made_[entry.beacons];
+    if (!made) made = beacons_of(scene_, entry);
+    return made;
+  }
+
+ private:
+  const Scene& scene_;
+  const System* previous_;
+  std::map<std::vector<std::string>, std::shared_ptr<const BeaconIndex>> made_;
+};
 
 /// The bodies of one mount, placed.
 Occluders placed_occluders(const Scene& scene, Mount mount) {
@@ -48,6 +89,8 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     system.in_world = placed_occluders(scene, Mount::world);
     system.on_target = placed_occluders(scene, Mount::target);
   }
+  system.beacon_sets = scene.beacons;
+  BeaconSharing beacons(scene, previous);
   system.devices.reserve(scene.devices.size());
   for (const DeviceEntry& entry : scene.devices) {
     PlacedDevice placed;
@@ -60,7 +103,15 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
       if (!plugin.info) throw std::runtime_error(plugin.error);
       placed.device = make_device(*plugin.info, entry.params);
     }
-    placed.X_WS = device_pose(scene, entry);
+    if (entry.mount == Mount::target) {
+      placed.X_TS = pose_of(entry.placement);
+      placed.beacons = beacons(system.devices.size(), entry);
+      placed.sees = entry.beacons;
+      placed.select = entry.select;
+      placed.count = entry.count;
+    } else {
+      placed.X_WS = device_pose(scene, entry);
+    }
     placed.period = 1 / entry.rate;
     placed.phase = entry.phase;
     system.devices.push_back(std::move(placed));

@@ -1,6 +1,7 @@
 #include "scene/device_keys.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "scene/node_text.h"
@@ -36,13 +37,30 @@ void read_phase(Reader& reader, const Place& at, DeviceEntry& out) {
   out.phase = *phase;
 }
 
-void read_mount(Reader& reader, const Place& at, DeviceEntry&) {
-  if (reader.choice(at, kMountWords) == Mount::target)
-    reader.error(at,
-                 "'target' is not supported by this version; devices are in the world");
+/// One name, or a list of them.
+void read_seen_beacons(Reader& reader, const Place& at, DeviceEntry& out) {
+  if (at.node().kind == Node::Kind::scalar) {
+    if (auto name = reader.word(at)) out.beacons = {std::move(*name)};
+    return;
+  }
+  if (!reader.expect(at, Node::Kind::list, "the name of a set, or a list of names"))
+    return;
+  const auto& items = at.node().items;
+  if (items.empty())
+    reader.error(at, "the list is empty; leave it out to see all sets");
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (auto name = reader.word(Place(at, std::to_string(i), items[i])))
+      out.beacons.push_back(std::move(*name));
 }
 
-constexpr std::array<Key<DeviceEntry>, 13> kDeviceKeys = {{
+Written write_seen_beacons(const DeviceEntry& d) {
+  if (d.beacons.empty()) return std::nullopt;
+  std::vector<Node> names;
+  for (const std::string& name : d.beacons) names.push_back(to_node(name));
+  return to_node(std::move(names));
+}
+
+constexpr std::array<Key<DeviceEntry>, 16> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -61,7 +79,37 @@ constexpr std::array<Key<DeviceEntry>, 13> kDeviceKeys = {{
        if (d.phase == 0) return std::nullopt;
        return to_node(d.phase);
      }},
-    {"mount", Need::optional, "world: it stands in the room", read_mount},
+    {"mount", Need::optional,
+     "world: it stands in the room and sees the target; target: it is carried and sees "
+     "beacons",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       if (const auto mount = r.choice(p, kMountWords)) d.mount = *mount;
+     },
+     [](const DeviceEntry& d) -> Written {
+       if (d.mount == Mount::world) return std::nullopt;
+       return to_node(word_of(kMountWords, d.mount));
+     }},
+    {"beacons", Need::optional, "the sets that a carried device sees; default: all",
+     read_seen_beacons, write_seen_beacons},
+    {"select", Need::optional,
+     "which sightings an update uses: all, mean, random, nearest or best",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       if (const auto rule = r.choice(p, kSightingRuleWords)) d.select = *rule;
+     },
+     [](const DeviceEntry& d) -> Written {
+       if (d.mount == Mount::world) return std::nullopt;
+       return to_node(word_of(kSightingRuleWords, d.select));
+     }},
+    {"count", Need::optional, "how many sightings an update uses",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       const auto n = r.integer(p, 1, std::numeric_limits<int>::max());
+       if (n) d.count = *n;
+     },
+     [](const DeviceEntry& d) -> Written {
+       if (d.mount == Mount::world || d.select == SightingRule::all)
+         return std::nullopt;
+       return to_node(d.count);
+     }},
     {"group", Need::optional, "the group that it is placed in; default: the world",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto group = r.word(p)) d.group = std::move(*group);
@@ -101,11 +149,49 @@ void check_group(Reader& reader, const Place& at, const DeviceEntry& device,
                                           : suggestion(device.group, groups)));
 }
 
+/// Keys that only make sense on one of the mounts.
+void check_mount(Reader& reader, const Place& at, const DeviceEntry& device) {
+  const bool carried = device.mount == Mount::target;
+  const auto refuse = [&](const char* key, const char* problem) {
+    if (const Node* node = at.node().find(key))
+      reader.error_within(at, node->mark, key, problem);
+  };
+  for (const char* key : {"group", "on"})
+    if (carried)
+      refuse(key, "is in the world, but mount: target moves with the target");
+  for (const char* key : {"beacons", "select"})
+    if (!carried)
+      refuse(key, "is for a device that the target carries; give 'mount: target'");
+  if (!carried || device.select == SightingRule::all)
+    refuse("count", "goes with 'select: mean', 'random', 'nearest' or 'best'");
+}
+
+/// A carried device needs something to look at.
+void check_seen_beacons(Reader& reader, const Place& at, const DeviceEntry& device,
+                        const std::vector<BeaconSet>& sets) {
+  if (device.mount == Mount::world) return;
+  if (sets.empty())
+    return reader.error_within(
+        at, at.node().find("mount")->mark, "mount",
+        "the scene declares no beacons for it to see; add 'beacons'");
+  std::vector<std::string> known;
+  for (const BeaconSet& set : sets) known.push_back(set.name);
+  for (const std::string& name : device.beacons)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      reader.error_within(at, at.node().find("beacons")->mark, "beacons",
+                          "there is no set '" + name + '\'' + suggestion(name, known));
+}
+
 /// Make the device, whose plugin knows which values clash.
 void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                   const StateLayout* layout, const DeviceEntry& entry) {
   try {
     const auto device = make_device(info, entry.params);
+    if (entry.mount == Mount::target && device->span() != Span::point)
+      return reader.error_within(at, at.node().find("mount")->mark, "mount",
+                                 entry.type +
+                                     " measures the target itself; only devices that "
+                                     "see points can look at beacons");
     if (!layout || device->span() != Span::state ||
         device->state_size() == layout->size())
       return;
@@ -118,18 +204,27 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
   }
 }
 
-void read_device(Reader& reader, const Place& at, const StateLayout* layout,
-                 const std::vector<std::string>& groups,
-                 const std::vector<SurfaceEntry>* surfaces, DeviceEntry& out) {
+/// What a device may refer to; null where it isn't known.
+struct Around {
+  const StateLayout* layout;
+  std::vector<std::string> groups;
+  const std::vector<SurfaceEntry>* surfaces;
+  const std::vector<BeaconSet>* beacons;
+};
+
+void read_device(Reader& reader, const Place& at, const Around& around,
+                 DeviceEntry& out) {
   const std::size_t before = reader.findings.errors();
   if (!read_map(reader, at, kDeviceKeys, out)) return;
   if (out.mounting) {
-    const auto point = check_mounting(reader, at, out, surfaces);
+    const auto point = check_mounting(reader, at, out, around.surfaces);
     check_facing(reader, at, out.placement, point ? &point->p : nullptr);
   } else {
     check_placement(reader, at, out.placement);
   }
-  check_group(reader, at, out, groups);
+  check_mount(reader, at, out);
+  check_group(reader, at, out, around.groups);
+  if (around.beacons) check_seen_beacons(reader, at, out, *around.beacons);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);
   if (!plugin.info) {
@@ -138,7 +233,7 @@ void read_device(Reader& reader, const Place& at, const StateLayout* layout,
   }
   read_params(reader, at, *plugin.info, out.params);
   if (reader.findings.errors() == before)
-    check_device(reader, at, *plugin.info, layout, out);
+    check_device(reader, at, *plugin.info, around.layout, out);
 }
 
 }  // namespace
@@ -163,15 +258,17 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
   const Node& node = at.node();
   if (node.items.empty())
     reader.error(at, "the list is empty; a system needs a device");
-  std::vector<std::string> groups;
-  for (const Group& group : scene.groups) groups.push_back(group.name);
+  Around around{known.motion ? &scene.motion.layout : nullptr,
+                {},
+                known.surfaces ? &scene.surfaces : nullptr,
+                known.beacons ? &scene.beacons : nullptr};
+  for (const Group& group : scene.groups) around.groups.push_back(group.name);
   std::map<std::string, int> line_of;
   scene.devices.reserve(node.items.size());
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, member_name(node.items[i], i), node.items[i]);
     DeviceEntry entry;
-    read_device(reader, place, known.motion ? &scene.motion.layout : nullptr, groups,
-                known.surfaces ? &scene.surfaces : nullptr, entry);
+    read_device(reader, place, around, entry);
     if (!entry.name.empty()) {
       const Mark mark = node.items[i].find("name")->mark;
       const auto [first, is_new] = line_of.emplace(entry.name, mark.line);

@@ -14,11 +14,12 @@ void read_groups(Reader& reader, const Place& at, std::vector<Group>& out);
 struct Known {
   bool motion = false;
   bool surfaces = true;  ///< where there are none too
+  bool beacons = true;   ///< likewise
 };
 
 /// Read the list of devices. Each is also made once, since its plugin may refuse values
 /// that clash.
-/// @param scene its motion, groups and surfaces have been read
+/// @param scene its motion, groups, surfaces and beacons have been read
 void read_devices(Reader& reader, const Place& at, const Known& known, Scene& scene);
 
 [[nodiscard]] Node write_groups(const std::vector<Group>& groups);

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/extends.h"
 #include "scene/node_text.h"
 #include "scene/override.h"
 #include "scene/scene_keys.h"
@@ -40,9 +41,10 @@ std::optional<Scene> parse_scene(std::string_view text,
   Findings findings;
   const int source = findings.add_source(file.string());
   std::optional<Scene> scene;
-  if (auto tree = parse_yaml(text, source, true, findings)) {
-    Reader reader{findings, plugins, file.parent_path(), MeshFiles(progress)};
-    check_duplicate_keys(reader, Place(*tree));
+  Reader reader{findings, plugins, file.parent_path(), MeshFiles(progress)};
+  auto tree = parse_yaml(text, source, true, findings);
+  if (tree) tree = resolve_extends(std::move(*tree), reader);
+  if (tree) {
     for (const Override& change : overrides) apply_override(*tree, change, findings);
     scene = read_scene(reader, *tree);
   }

@@ -71,11 +71,11 @@ MeshFiles::File* unchecked(Reader& reader, const MeshShape& shape) {
 }  // namespace
 
 void read_mesh_file(Reader& reader, const Place& at, MeshShape& out) {
-  auto written = reader.word(at);
+  const auto written = reader.word(at);
   if (!written) return;
-  const MeshFiles::File& file = reader.meshes.read(reader.folder / *written);
+  out.file = reader.file_name(at, *written);
+  const MeshFiles::File& file = reader.meshes.read(reader.folder / out.file);
   if (!file.mesh) reader.error(at, file.problem);
-  out.file = std::move(*written);
   out.mesh = file.mesh;
 }
 

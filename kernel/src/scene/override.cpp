@@ -71,8 +71,8 @@ std::string members_text(const Node& list, const std::string& segment,
 /// Walks down a path and says where it ends.
 class Walk {
  public:
-  Walk(const Override& change, int source, Findings& findings)
-      : segments_(split(change.path)), source_(source), findings_(findings) {}
+  Walk(const std::string& path, Mark where, Findings& findings)
+      : segments_(split(path)), where_(where), findings_(findings) {}
 
   /// The node to replace; null, with a finding, where the path leads nowhere.
   Node* find(Node& root) {
@@ -131,10 +131,9 @@ class Walk {
   }
 
   Node& append(Node& map, const std::string& key) {
-    const Mark mark{source_, 0, 0};
-    map.keys.push_back({key, mark});
+    map.keys.push_back({key, where_});
     map.items.emplace_back();
-    map.items.back().mark = mark;
+    map.items.back().mark = where_;
     return map.items.back();
   }
 
@@ -147,22 +146,27 @@ class Walk {
   Node* fail(std::size_t i, const std::string& problem) {
     std::string path = segments_[0];
     for (std::size_t j = 1; j <= i; ++j) path += '.' + segments_[j];
-    findings_.error({source_, 0, 0}, path, problem);
+    findings_.error(where_, path, problem);
     return nullptr;
   }
 
   std::vector<std::string> segments_;
-  int source_;
+  Mark where_;
   Findings& findings_;
 };
 
 }  // namespace
 
+void replace_value(Node& root, const std::string& path, Node value, Mark where,
+                   Findings& findings) {
+  if (Node* node = Walk(path, where, findings).find(root)) *node = std::move(value);
+}
+
 void apply_override(Node& root, const Override& change, Findings& findings) {
   const int source = findings.add_source("--set " + change.path);
   auto value = parse_yaml(change.value, source, false, findings);
   if (!value) return;
-  if (Node* node = Walk(change, source, findings).find(root)) *node = std::move(*value);
+  replace_value(root, change.path, std::move(*value), {source, 0, 0}, findings);
 }
 
 std::optional<Override> parse_override(std::string_view text) {

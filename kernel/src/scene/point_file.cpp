@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <iterator>
+#include <system_error>
 
 #include "scene/numbers.h"
 
@@ -47,15 +50,19 @@ std::vector<Cell> split_at_blanks(std::string_view line) {
   return cells;
 }
 
-bool is_header(const std::vector<Cell>& cells) {
-  if (cells.size() != 3) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::string_view text = cells[i].text;
-    if (text.size() != 1 ||
-        std::tolower(static_cast<unsigned char>(text[0])) != "xyz"[i])
-      return false;
-  }
-  return true;
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+bool is_header(const std::vector<Cell>& cells, const RowForm& form) {
+  return cells.size() <= form.columns.size() &&
+         std::equal(cells.begin(), cells.end(), form.columns.begin(),
+                    [](const Cell& cell, const std::string& column) {
+                      return lower_case(cell.text) == column;
+                    });
 }
 
 bool ends_with(std::string_view file, std::string_view suffix) {
@@ -63,32 +70,53 @@ bool ends_with(std::string_view file, std::string_view suffix) {
          file.substr(file.size() - suffix.size()) == suffix;
 }
 
-/// A row's point; false, with a finding, where the row is malformed.
-bool read_row(const std::vector<Cell>& cells, const char* form, Mark at,
-              Findings& findings, Eigen::Vector3d& point) {
-  if (cells.size() != 3) {
-    at.column = cells[std::min<std::size_t>(cells.size() - 1, 3)].column;
+/// "x,y,z", the first columns of a form.
+std::string columns_text(const RowForm& form, std::size_t count, const char* between) {
+  std::string text = form.columns[0];
+  for (std::size_t i = 1; i < count; ++i) text += between + form.columns[i];
+  return text;
+}
+
+/// "three numbers x,y,z", or "3 numbers x,y,z or 6 numbers x,y,z,nx,ny,nz".
+std::string expected(const RowForm& form, const char* between) {
+  if (form.lengths == std::vector<std::size_t>{3})
+    return "three numbers " + columns_text(form, 3, between);
+  std::string text;
+  for (const std::size_t n : form.lengths)
+    text += (text.empty() ? "" : " or ") + std::to_string(n) + " numbers " +
+            columns_text(form, n, between);
+  return text;
+}
+
+/// A row's numbers; empty, with a finding, where the row is malformed.
+std::vector<double> read_row(const std::vector<Cell>& cells, const RowForm& form,
+                             const char* between, Mark at, Findings& findings) {
+  const auto& lengths = form.lengths;
+  if (std::find(lengths.begin(), lengths.end(), cells.size()) == lengths.end()) {
+    at.column = cells[std::min(cells.size() - 1, lengths.back())].column;
     findings.error(at, {},
-                   std::string("expected three numbers ") + form + ", found " +
+                   "expected " + expected(form, between) + ", found " +
                        std::to_string(cells.size()));
-    return false;
+    return {};
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const NumberText number = scan_number(cells[i].text);
-    if (number.problem.empty() && number.length == cells[i].text.size() &&
+  std::vector<double> row;
+  for (const Cell& cell : cells) {
+    const NumberText number = scan_number(cell.text);
+    if (number.problem.empty() && number.length == cell.text.size() &&
         number.length > 0) {
-      point[static_cast<Eigen::Index>(i)] = number.value;
+      row.push_back(number.value);
       continue;
     }
-    at.column = cells[i].column;
+    at.column = cell.column;
     findings.error(at, {},
                    !number.problem.empty()
                        ? number.problem
-                       : '\'' + std::string(cells[i].text) +
-                             "' isn't a number; rows are " + form + " in metres");
-    return false;
+                       : '\'' + std::string(cell.text) + "' isn't a number; rows are " +
+                             columns_text(form, lengths.front(), between) +
+                             " in metres");
+    return {};
   }
-  return true;
+  return row;
 }
 
 }  // namespace
@@ -97,11 +125,11 @@ bool is_point_file(std::string_view file) {
   return ends_with(file, ".ptl") || ends_with(file, ".csv");
 }
 
-std::vector<Eigen::Vector3d> parse_points(std::string_view text, std::string_view file,
-                                          int source, Findings& findings) {
+std::vector<std::vector<double>> parse_rows(std::string_view text,
+                                            std::string_view file, const RowForm& form,
+                                            int source, Findings& findings) {
   const bool csv = ends_with(file, ".csv");
-  const char* form = csv ? "x,y,z" : "x y z";
-  std::vector<Eigen::Vector3d> points;
+  std::vector<std::vector<double>> rows;
   int bad_rows = 0;
   bool first_row = true;
   int line_number = 0;
@@ -115,19 +143,46 @@ std::vector<Eigen::Vector3d> parse_points(std::string_view text, std::string_vie
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
 
     const auto cells = csv ? split_at_commas(line) : split_at_blanks(line);
-    const bool header = csv && first_row && is_header(cells);
+    const bool header = csv && first_row && is_header(cells, form);
     first_row = false;
     if (header) continue;
-    Eigen::Vector3d point;
-    if (read_row(cells, form, {source, line_number, 1}, findings, point)) {
-      points.push_back(point);
+    auto row =
+        read_row(cells, form, csv ? "," : " ", {source, line_number, 1}, findings);
+    if (!row.empty()) {
+      rows.push_back(std::move(row));
     } else if (++bad_rows == kMostFindings) {
       findings.error({source, line_number + 1, 0}, {},
                      "too many malformed rows; the rest of the file wasn't read");
       break;
     }
   }
-  return points;
+  return rows;
+}
+
+std::optional<std::vector<std::vector<double>>> read_row_file(
+    Reader& reader, const Place& at, const std::string& written, const RowForm& form,
+    const char* what) {
+  if (!is_point_file(written)) {
+    reader.error(at, '\'' + written + "' is neither a .ptl nor a .csv file");
+    return std::nullopt;
+  }
+  const std::filesystem::path path = reader.folder / written;
+  std::error_code ignored;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(path, ignored)) {
+    reader.error(at, "there is no readable file '" + path.string() + '\'');
+    return std::nullopt;
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t before = reader.findings.errors();
+  const int source = reader.findings.add_source(path.string());
+  auto rows = parse_rows(text, written, form, source, reader.findings);
+  if (reader.findings.errors() != before) return std::nullopt;
+  if (rows.empty()) {
+    reader.error(at, "the file '" + path.string() + "' has no " + what);
+    return std::nullopt;
+  }
+  return rows;
 }
 
 }  // namespace delos

@@ -42,6 +42,12 @@ std::string Place::path(std::string_view segment) const {
   return text.append(segment);
 }
 
+std::string Reader::file_name(const Place& at, const std::string& written) const {
+  const auto base = folder_of_source.find(at.node().mark.source);
+  if (base == folder_of_source.end()) return written;
+  return (base->second / written).lexically_normal().string();
+}
+
 void Reader::error(const Place& at, std::string problem) {
   findings.error(at.node().mark, at.path(), std::move(problem));
 }

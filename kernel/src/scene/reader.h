@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,12 @@ struct Reader {
   PluginRegistry& plugins;
   std::filesystem::path folder;  ///< what relative paths start from
   MeshFiles meshes{};
+  /// Where the texts that the scene extends look for files, from the folder above.
+  std::map<int, std::filesystem::path> folder_of_source{};
+
+  /// The name of a file that is written at a place, as it is from `folder`.
+  [[nodiscard]] std::string file_name(const Place& at,
+                                      const std::string& written) const;
 
   /// "path: problem" at the place's node.
   void error(const Place& at, std::string problem);

@@ -1,10 +1,7 @@
 #include "scene/sample_keys.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <system_error>
 
 #include "delos/sampling/samples.h"
 #include "scene/node_text.h"
@@ -76,27 +73,12 @@ void read_points(Reader& reader, const Place& at, Draft& out) {
 void read_file(Reader& reader, const Place& at, Draft& out) {
   const auto written = reader.word(at);
   if (!written) return;
-  if (!is_point_file(*written)) {
-    reader.error(at, '\'' + *written + "' is neither a .ptl nor a .csv file");
-    return;
-  }
-  const std::filesystem::path path = reader.folder / *written;
-  std::error_code ignored;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
-    reader.error(at, "there is no readable file '" + path.string() + '\'');
-    return;
-  }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::size_t before = reader.findings.errors();
-  const int source = reader.findings.add_source(path.string());
-  auto points = parse_points(text, *written, source, reader.findings);
-  if (reader.findings.errors() != before) return;
-  if (points.empty()) {
-    reader.error(at, "the file '" + path.string() + "' has no points");
-    return;
-  }
-  out.set.shape = PointSampling{*written, std::move(points)};
+  PointSampling points{reader.file_name(at, *written), {}};
+  const auto rows =
+      read_row_file(reader, at, points.file, {{"x", "y", "z"}, {3}}, "points");
+  if (!rows) return;
+  for (const auto& row : *rows) points.points.emplace_back(row[0], row[1], row[2]);
+  out.set.shape = std::move(points);
   out.complete = true;
 }
 

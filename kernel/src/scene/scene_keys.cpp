@@ -4,6 +4,7 @@
 
 #include "delos/model/metric.h"
 #include "delos/scene/units.h"
+#include "scene/beacon_keys.h"
 #include "scene/device_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/node_text.h"
@@ -55,7 +56,8 @@ void read_skin(Reader& reader, const Place& at, Draft& out) {
   out.scene.skin = *skin;
 }
 
-// Read in this order: devices need the groups, the surfaces and the motion's state.
+// Read in this order: devices need the groups, the surfaces, the beacons and the
+// motion's state.
 constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const Draft&) -> Written { return to_node(kFormat); }},
@@ -133,6 +135,16 @@ constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
        if (d.scene.regions.empty()) return std::nullopt;
        return write_regions(d.scene.regions);
      }},
+    {"beacons", Need::optional, "what devices on the target look at",
+     [](Reader& r, const Place& p, Draft& d) {
+       const std::size_t before = r.findings.errors();
+       read_beacons(r, p, d.scene.beacons);
+       d.known.beacons = r.findings.errors() == before;
+     },
+     [](const Draft& d) -> Written {
+       if (d.scene.beacons.empty()) return std::nullopt;
+       return write_beacons(d.scene.beacons);
+     }},
     {"devices", Need::required, "what measures",
      [](Reader& r, const Place& p, Draft& d) { read_devices(r, p, d.known, d.scene); },
      [](const Draft& d) -> Written { return write_devices(d.scene.devices); }},
@@ -150,7 +162,6 @@ constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
        if (d.scene.skin == Scene{}.skin) return std::nullopt;
        return to_node(d.scene.skin);
      }},
-    {"beacons", Need::later, "sets of beacons for inside-out devices"},
     {"variables", Need::later, "what a search may change"},
     {"constraints", Need::later, "what a search must keep"},
     {"objective", Need::later, "what a search makes small"},

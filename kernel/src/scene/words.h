@@ -30,6 +30,19 @@ inline constexpr std::pair<const char*, Mount> kMountWords[] = {
     {"target", Mount::target},
 };
 
+inline constexpr std::pair<const char*, BeaconPattern> kBeaconPatternWords[] = {
+    {"full", BeaconPattern::full},
+    {"half", BeaconPattern::half},
+    {"columns", BeaconPattern::columns},
+    {"checkerboard", BeaconPattern::checkerboard},
+};
+
+inline constexpr std::pair<const char*, SightingRule> kSightingRuleWords[] = {
+    {"all", SightingRule::all},       {"mean", SightingRule::mean},
+    {"random", SightingRule::random}, {"nearest", SightingRule::nearest},
+    {"best", SightingRule::best},
+};
+
 inline constexpr std::pair<const char*, PoseState> kPoseStateWords[] = {
     {"position", PoseState::position},
     {"orientation", PoseState::orientation},

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
+#include <string>
 
 #include "delos/api.h"
 #include "delos/model/lanes.h"
@@ -34,6 +36,9 @@ struct Target {
   /// Deviation of the whole state from the point of linearisation, n×1, SI. Zero in
   /// fields; the contract test moves it.
   StateVector state;
+  /// Which way the observed point faces, a unit vector in S: a beacon's normal. Zero
+  /// where it faces no way: markers, and beacons that radiate all around.
+  Eigen::Vector3d n_ST = Eigen::Vector3d::Zero();
 };
 
 /// What a device measures of a target, linearised there. Stored inline.
@@ -77,6 +82,14 @@ enum class View {
   unknown,   ///< the device doesn't say
 };
 
+/// A cone of directions, in the frame of whoever holds it.
+struct ViewCone {
+  Eigen::Vector3d apex = Eigen::Vector3d::Zero();   ///< where it looks from, metres
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector
+  double half_angle = 3.15;  ///< between axis and edge, radians; π or more: all around
+  double range = std::numeric_limits<double>::infinity();  ///< reach, metres
+};
+
 /// A sensor or beacon. Knows its own frame S and nothing of the world: the kernel
 /// places it, tests the line of sight and turns H into the world frame.
 ///
@@ -107,6 +120,18 @@ class DELOS_API Device {
   /// @param radius metres, ≥ 0
   [[nodiscard]] virtual View view_of_ball(const Eigen::Vector3d& center,
                                           double radius) const;
+
+  /// How many openings the device looks through: lenses over photodiodes, cameras in
+  /// one housing. Only devices that the target carries are asked, view by view.
+  [[nodiscard]] virtual int views() const { return 1; }
+  /// A cone in S outside of which a view sees nothing; sight lines end at its apex.
+  /// @param view 0 to views() − 1, as below
+  [[nodiscard]] virtual ViewCone view_cone(int view) const;
+  /// What messages call a view.
+  [[nodiscard]] virtual std::string view_name(int view) const;
+  /// observe() through one view; observe() itself answers for the first that sees.
+  [[nodiscard]] virtual bool observe_view(int view, const Target& target,
+                                          Observation& out) const;
 
   /// Whether what stands between the device's origin and the point hides it. By
   /// default, devices that see points need to see them.

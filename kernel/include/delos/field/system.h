@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "delos/api.h"
+#include "delos/device/beacons.h"
 #include "delos/geometry/occluders.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
@@ -23,8 +24,15 @@ struct PlacedDevice {
   ParamValues params;                    ///< what `device` was made from
   std::shared_ptr<const Device> device;  ///< never null
   Pose X_WS;                             ///< device frame to world
-  double period = 0;                     ///< seconds between updates, > 0
-  double phase = 0;                      ///< seconds to the first update, ≥ 0
+  /// What it looks at where the target carries it, by X_TS; null: it stands in the
+  /// world, by X_WS, and looks at the target.
+  std::shared_ptr<const BeaconIndex> beacons;
+  Pose X_TS;                      ///< device frame to target
+  std::vector<std::string> sees;  ///< sets of beacons; empty: all
+  SightingRule select = SightingRule::all;
+  int count = 1;      ///< sightings an update, see `select`
+  double period = 0;  ///< seconds between updates, > 0
+  double phase = 0;   ///< seconds to the first update, ≥ 0
 };
 
 /// All that the steady-state equation needs of a scene.
@@ -34,6 +42,7 @@ struct System {
   CovarianceKind covariance = CovarianceKind::prior;
   std::vector<Eigen::Vector3d> markers;  ///< in the target's frame, metres
   std::vector<PlacedDevice> devices;
+  std::vector<BeaconSet> beacon_sets;    ///< what the devices' beacons were made from
   std::vector<OccluderEntry> occluders;  ///< what the two below were made from
   Occluders in_world;                    ///< what hides, in W
   Occluders on_target;  ///< what hides and moves with the target, in its frame T

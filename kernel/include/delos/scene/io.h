@@ -32,6 +32,8 @@ using MeshProgress =
 ///
 /// Every value is checked against the parameter tables of the plugins that the scene
 /// names; all findings of the file are reported together, none is mended silently.
+/// A scene may extend another: `extends: base.yaml` takes over the base's keys but
+/// those that it has itself, and `set: {PATH: value}` then changes single values.
 /// @param overrides applied in order before the check; findings in them are located as
 ///        "--set PATH".
 /// @returns nullopt where a finding is an error.

@@ -4,12 +4,15 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "delos/device/beacons.h"
 #include "delos/device/parameters.h"
 #include "delos/geometry/mesh.h"
 #include "delos/model/motion.h"
@@ -209,6 +212,59 @@ struct MountPoint {
   std::optional<Eigen::Vector3d> normal;
 };
 
+/// Which beacons of a grid are lit. Rows, columns and squares are of panels.
+enum class BeaconPattern {
+  full,          ///< all
+  half,          ///< every other row, counted along y, is off
+  columns,       ///< every other column, counted along x, is off
+  checkerboard,  ///< every other panel is off, in rows and columns
+};
+
+/// Beacons on a regular grid, those of `pattern` lit.
+struct BeaconGrid {
+  VolumeSampling box;
+  Eigen::Vector2i panel = {1, 1};  ///< beacons of a panel along x and y, ≥ 1
+  BeaconPattern pattern = BeaconPattern::full;
+  friend bool operator==(const BeaconGrid&, const BeaconGrid&) = default;
+};
+
+/// One beacon of a list.
+struct BeaconEntry {
+  Eigen::Vector3d p;                      ///< metres
+  std::optional<Eigen::Vector3d> normal;  ///< instead of the set's, of any length but 0
+  double weight = 1;                      ///< times the set's
+  friend bool operator==(const BeaconEntry&, const BeaconEntry&) = default;
+};
+
+/// Beacons one by one; `file` is what they were read from, empty when inline.
+struct BeaconList {
+  std::string file;  ///< as written, relative to the scene's folder
+  std::vector<BeaconEntry> entries;
+  friend bool operator==(const BeaconList&, const BeaconList&) = default;
+};
+
+/// A named set of beacons in the world, which devices on the target look at.
+struct BeaconSet {
+  std::string name;
+  std::variant<BeaconGrid, BeaconList> layout;
+  /// Which way they face, of any length but 0; nullopt: they radiate all around.
+  std::optional<Eigen::Vector3d> normal;
+  double emission = std::numbers::pi / 2;  ///< half-angle about the normal, radians
+  double range = std::numeric_limits<double>::infinity();  ///< farthest seen, metres
+  double weight = 1;  ///< of each: the part of the time that it can be used, 0 to 1
+  friend bool operator==(const BeaconSet&, const BeaconSet&) = default;
+};
+
+/// Which of the beacons in view a device on the target uses in one update. A sighting
+/// is one beacon through one view; its weight is the beacon's.
+enum class SightingRule {
+  all,      ///< every one
+  mean,     ///< `count` of them, drawn with repetition: the expected information
+  random,   ///< `count` different ones, or all where there are fewer: likewise
+  nearest,  ///< the `count` nearest
+  best,     ///< the split of `count` among them with the largest information volume
+};
+
 /// Where a device is mounted.
 struct Mounting {
   std::string surface;              ///< the surface's name
@@ -223,6 +279,11 @@ struct DeviceEntry {
   double rate = 0;  ///< updates a second, > 0
   double phase =
       0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
+  /// Of `target`: its placement is in the target's frame, and it sees beacons.
+  Mount mount = Mount::world;
+  std::vector<std::string> beacons;         ///< sets that it sees; empty: all
+  SightingRule select = SightingRule::all;  ///< where mount is target
+  int count = 1;      ///< sightings an update, ≥ 1; see `select`
   std::string group;  ///< empty: the world
   /// Given: it stands there, and not at placement.at; group is empty.
   std::optional<Mounting> mounting;
@@ -246,6 +307,7 @@ struct Scene {
   std::vector<Group> groups;
   std::vector<SurfaceEntry> surfaces;
   std::vector<RegionEntry> regions;
+  std::vector<BeaconSet> beacons;
   std::vector<DeviceEntry> devices;
   std::vector<OccluderEntry> occluders;
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
@@ -263,6 +325,9 @@ struct Scene {
 /// occluder in the world or in the target.
 [[nodiscard]] DELOS_API Pose pose_of(const Placement& placement);
 
+/// The beacons of a set that are lit, in the order of the grid, x fastest, or the list.
+[[nodiscard]] DELOS_API std::vector<Beacon> lit_beacons(const BeaconSet& set);
+
 /// The body as triangles in its own frame, metres: scaled, not placed.
 /// @pre the body came from a loaded scene, or would pass the loader's checks
 [[nodiscard]] DELOS_API TriangleMesh body_mesh(const Body& body);
@@ -274,8 +339,9 @@ struct Scene {
 [[nodiscard]] DELOS_API std::optional<MountPoint> mount_point(
     const SurfaceEntry& surface, const std::vector<double>& coordinates);
 
-/// X_WS of a device: its placement within its group, or its place on its surface, where
-/// its z axis is the surface's normal unless its placement says where it faces.
+/// X_WS of a device in the world: its placement within its group, or its place on its
+/// surface, where its z axis is the surface's normal unless its placement says where it
+/// faces.
 /// @pre the group or the surface exists
 /// @throws std::domain_error one sentence: the ray of a mesh surface hits nothing there
 [[nodiscard]] DELOS_API Pose device_pose(const Scene& scene, const DeviceEntry& device);

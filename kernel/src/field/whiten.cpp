@@ -1,4 +1,4 @@
-#include "field/measure.h"
+#include "field/whiten.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
