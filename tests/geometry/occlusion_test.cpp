@@ -122,6 +122,40 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"confetti", confetti()}),
     [](const auto& i) { return i.param.name; });
 
+// Boxes are kept in floats: what is too small or too large for them, or small and far
+// away, is as exact. Powers of two leave the integers what they are.
+TEST(Occluders, AreExactAtAnySizeAndAnywhere) {
+  struct Place {
+    double unit, away;  // metres; units
+  };
+  for (const auto& [unit, away] :
+       {Place{0x1p-140, 0}, Place{0x1p-110, 0}, Place{0x1p-10, 0x1p40},
+        Place{0x1p-30, 0x1p45}, Place{0x1p100, 0}, Place{0x1p130, 0}, Place{0x1p400, 0},
+        Place{0x1p85, 0x1p20}}) {
+    const Eigen::Vector3d offset = unit * away * Eigen::Vector3d(1, -1, 0.5);
+    IntMesh m = rounded(confetti(), 200, unit);
+    for (Eigen::Vector3d& p : m.mesh.vertices) p += offset;
+    const Occluders occluders({m.mesh});
+    IntDraw draw(5);
+    int blocked = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const auto [p, q] = draw_segment(draw, m, 400);
+      if (p.x == q.x && p.y == q.y && p.z == q.z) continue;
+      const Eigen::Vector3d a = m.point(p) + offset, b = m.point(q) + offset;
+      const bool expected =
+          std::any_of(m.triangles.begin(), m.triangles.end(),
+                      [&](const IntTriangle& t) { return segment_meets(t, p, q); });
+      blocked += expected;
+      ASSERT_EQ(occluders.blocks(a, b, 0), expected) << "unit " << unit;
+      if (expected) {
+        ASSERT_TRUE(occluders.touches_shaft(a, {b, b})) << "unit " << unit;
+      }
+    }
+    EXPECT_GT(blocked, 500);
+    EXPECT_LT(blocked, 2700);
+  }
+}
+
 // Seen from the origin, the wall x = 2, |y| ≤ 1, |z| ≤ 1 hides what is behind it and,
 // by similar triangles, within |y| ≤ x/2, |z| ≤ x/2.
 TEST(Shadow, OfAWallIsAPyramid) {

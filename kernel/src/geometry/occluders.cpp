@@ -1,85 +1,36 @@
 #include "delos/geometry/occluders.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-
 #include <random>
 
+#include "geometry/flat_tree.h"
 #include "geometry/kernel.h"
+#include "geometry/lane_tests.h"
 #include "geometry/pieces.h"
-#include "geometry/segment.h"
-#include "geometry/shaft.h"
+#include "geometry/predicates.h"
+#include "geometry/segment_triangle.h"
+#include "geometry/shaft_lanes.h"
 
 namespace delos {
 namespace {
 
-/// A triangle of the tree. It holds its corners, so that a query touches no other
-/// memory.
-struct Primitive {
-  using Id = std::uint32_t;
-  using Point = Kernel::Point_3;
-  using Datum = Kernel::Triangle_3;
-  using Point_reference = const Point&;
-  using Datum_reference = const Datum&;
-
-  Datum_reference datum() const { return triangle; }
-  Point_reference reference_point() const { return triangle[0]; }
-  Id id() const { return piece; }
-
-  Datum triangle;
+/// It holds its corners, so that a query touches no other memory.
+struct Triangle {
+  Corners corners;
   std::uint32_t piece;
 };
 
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-using Node = CGAL::AABB_node<CGAL::AABB_traits<Kernel, Primitive>>;
+/// Calls visit(triangle) for items of a tree.
+template <class Visit>
+struct Visitor {
+  const std::vector<Triangle>& triangles;
+  const Visit& visit;
 
-CGAL::Bbox_3 bbox_of(const Occluders::Box& b) {
-  return {b.min().x(), b.min().y(), b.min().z(), b.max().x(), b.max().y(), b.max().z()};
-}
-
-Eigen::Vector3d eigen_point(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
-
-/// What the tree asks while it is walked: which nodes to enter (`Enter` of a node's
-/// box), and what to do with triangles, until `Visit` says that it has seen enough.
-template <class Enter, class Visit>
-class Walk {
- public:
-  Walk(Enter enter, Visit visit) : enter_(std::move(enter)), visit_(std::move(visit)) {}
-
-  bool go_further() const { return !done_; }
-  bool do_intersect(const Walk&, const Node& node) const {
-    // Both children, nodes or triangles, lie side by side. Walking waits for memory
-    // more than for anything else, so ask for them before it is known whether they
-    // matter.
-    const auto* children = reinterpret_cast<const char*>(&node.left_child());
-    for (int line = 0; line < 3; ++line) __builtin_prefetch(children + 64 * line);
-    return enter_(node.bbox());
-  }
-  void intersection(const Walk&, const Primitive& p) { done_ = visit_(p); }
-
- private:
-  Enter enter_;
-  Visit visit_;
-  bool done_ = false;
+  bool operator()(std::uint32_t item) const { return visit(triangles[item]); }
+  void prefetch(std::uint32_t item) const { delos::prefetch(triangles[item]); }
 };
 
-bool may_meet(const SlabTest& slabs, const CGAL::Bbox_3& box) {
-  return slabs.may_meet({box.xmin(), box.ymin(), box.zmin()},
-                        {box.xmax(), box.ymax(), box.zmax()});
-}
-
-/// By the triangle's box: cheaper than meets(), which it spares for most triangles.
-bool may_meet(const SlabTest& slabs, const Kernel::Triangle_3& t) {
-  std::array<double, 3> min, max;
-  for (int i = 0; i < 3; ++i) {
-    min[i] = std::min({t[0][i], t[1][i], t[2][i]});
-    max[i] = std::max({t[0][i], t[1][i], t[2][i]});
-  }
-  return slabs.may_meet(min, max);
-}
-
-bool meets(const Primitive& p, const Kernel::Segment_3& segment) {
-  return CGAL::do_intersect(p.triangle, segment);
+Kernel::Triangle_3 cgal_triangle(const Corners& t) {
+  return {cgal_point(t[0]), cgal_point(t[1]), cgal_point(t[2])};
 }
 
 /// How a segment that ends outside of everything leaves its start through a triangle.
@@ -111,7 +62,10 @@ Crossing crossing(const Kernel::Triangle_3& t, const Kernel::Point_3& from,
 }  // namespace
 
 struct Occluders::Tree {
-  AabbTree aabb;
+  explicit Tree(const std::vector<TriangleMesh>& parts);
+
+  FlatTree tree;                    // over the triangles
+  std::vector<Triangle> triangles;  // as the tree orders them
   Box bounds;
   std::vector<std::uint32_t> part_of;  // of each piece
   std::vector<char> alone;             // whether a piece is one triangle
@@ -119,24 +73,18 @@ struct Occluders::Tree {
 
   void add(const TriangleMesh& mesh);
 
-  /// Calls visit(primitive), until it returns true, for each triangle that lies in
-  /// nodes whose boxes enter() accepts.
+  /// Calls visit(triangle), until it returns true, for those whose boxes enter(node)
+  /// accepts.
   template <class Enter, class Visit>
-  void walk(Enter enter, Visit visit) const {
-    if (aabb.empty() || !enter(bbox_of(bounds))) return;
-    Walk walk(std::move(enter), std::move(visit));
-    aabb.traversal(walk, walk);
+  void walk(const Enter& enter, const Visit& visit) const {
+    tree.walk(enter, Visitor<Visit>{triangles, visit});
   }
 
-  /// Calls visit(primitive), until it returns true, for each triangle that s meets.
+  /// Calls visit(triangle), until it returns true, for each triangle that s meets.
   template <class Visit>
-  void walk_along(const Segment& s, Visit visit) const {
-    const Kernel::Segment_3 segment(cgal_point(s.a), cgal_point(s.b));
-    const SlabTest slabs(s);
-    walk([&](const CGAL::Bbox_3& box) { return may_meet(slabs, box); },
-         [&](const Primitive& p) {
-           return may_meet(slabs, p.triangle) && meets(p, segment) && visit(p);
-         });
+  void walk_along(const Segment& s, const Visit& visit) const {
+    walk(SlabTest(s, tree.origin()),
+         [&](const Triangle& t) { return meets(t.corners, s) && visit(t); });
   }
 
   bool piece_meets(std::uint32_t piece, const Segment& s) const;
@@ -144,44 +92,61 @@ struct Occluders::Tree {
   std::optional<bool> inside_by(const Segment& s) const;
 };
 
+Occluders::Tree::Tree(const std::vector<TriangleMesh>& parts) {
+  for (const TriangleMesh& part : parts) add(part);
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const auto& [corners, piece] : triangles) {
+    const auto& [a, b, c] = corners;
+    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+    bounds.extend(boxes.back());
+  }
+  tree = FlatTree(boxes);
+  std::vector<Triangle> ordered;
+  ordered.reserve(triangles.size());
+  for (const std::uint32_t t : tree.order()) ordered.push_back(triangles[t]);
+  triangles = std::move(ordered);
+}
+
 void Occluders::Tree::add(const TriangleMesh& mesh) {
   const Topology topology = topology_of(mesh);
   const Pieces pieces = convex_pieces(mesh, topology);
-  const auto first = static_cast<std::uint32_t>(part_of.size());
+  const auto first_piece = static_cast<std::uint32_t>(part_of.size());
   const auto part = static_cast<std::uint32_t>(closures.size());
   closures.push_back(closure_of(topology));
-  part_of.resize(first + pieces.count, part);
-  alone.resize(first + pieces.count, true);
+  part_of.resize(first_piece + pieces.count, part);
+  alone.resize(first_piece + pieces.count, true);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (t > 0 && pieces.of_triangle[t] < pieces.of_triangle[t - 1] + 1) {
-      alone[first + pieces.of_triangle[t]] = false;
+    const std::uint32_t piece = pieces.of_triangle[t];
+    if (t > 0 && piece < pieces.of_triangle[t - 1] + 1) {
+      alone[first_piece + piece] = false;
     }
     if (topology.skipped[t]) continue;
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Kernel::Triangle_3 triangle(cgal_point(mesh.vertices[a]),
-                                      cgal_point(mesh.vertices[b]),
-                                      cgal_point(mesh.vertices[c]));
-    if (CGAL::collinear(triangle[0], triangle[1], triangle[2])) continue;
-    aabb.insert(Primitive{triangle, first + pieces.of_triangle[t]});
-    for (const std::uint32_t corner : {a, b, c}) bounds.extend(mesh.vertices[corner]);
+    const auto& [i, j, k] = mesh.triangles[t];
+    const Corners corners = {mesh.vertices[i], mesh.vertices[j], mesh.vertices[k]};
+    if (collinear(corners[0], corners[1], corners[2])) continue;
+    triangles.push_back({corners, first_piece + piece});
   }
 }
 
 /// Whether a piece's surface meets s.
 bool Occluders::Tree::piece_meets(std::uint32_t piece, const Segment& s) const {
   bool found = false;
-  walk_along(s, [&](const Primitive& p) { return found = p.piece == piece; });
+  walk(SlabTest(s, tree.origin()), [&](const Triangle& t) {
+    return found = t.piece == piece && meets(t.corners, s);
+  });
   return found;
 }
 
 /// Whether a piece's surface meets a box.
 bool Occluders::Tree::piece_meets(std::uint32_t piece, const Box& box) const {
-  const CGAL::Bbox_3 query = bbox_of(box);
+  const CGAL::Bbox_3 query(box.min().x(), box.min().y(), box.min().z(), box.max().x(),
+                           box.max().y(), box.max().z());
   bool found = false;
-  walk([&](const CGAL::Bbox_3& node) { return CGAL::do_overlap(node, query); },
-       [&](const Primitive& p) {
-         return found = p.piece == piece && CGAL::do_intersect(p.triangle, query);
-       });
+  walk(OverlapTest(box, tree.origin()), [&](const Triangle& t) {
+    return found =
+               t.piece == piece && CGAL::do_intersect(cgal_triangle(t.corners), query);
+  });
   return found;
 }
 
@@ -189,18 +154,16 @@ bool Occluders::Tree::piece_meets(std::uint32_t piece, const Box& box) const {
 /// nullopt where the segment meets an edge or a corner.
 std::optional<bool> Occluders::Tree::inside_by(const Segment& s) const {
   const auto from = cgal_point(s.a), to = cgal_point(s.b);
-  const SlabTest slabs(s);
   std::vector<int> winding(closures.size());
   bool on_surface = false, ambiguous = false;
-  walk([&](const CGAL::Bbox_3& box) { return may_meet(slabs, box); },
-       [&](const Primitive& t) {
-         const std::uint32_t part = part_of[t.piece];
-         if (!closures[part].closed) return false;
-         const Crossing c = crossing(t.triangle, from, to);
-         winding[part] += (c == Crossing::rising) - (c == Crossing::falling);
-         ambiguous |= c == Crossing::ambiguous;
-         return on_surface |= c == Crossing::at_start;
-       });
+  walk(SlabTest(s, tree.origin()), [&](const Triangle& t) {
+    const std::uint32_t part = part_of[t.piece];
+    if (!closures[part].closed) return false;
+    const Crossing c = crossing(cgal_triangle(t.corners), from, to);
+    winding[part] += (c == Crossing::rising) - (c == Crossing::falling);
+    ambiguous |= c == Crossing::ambiguous;
+    return on_surface |= c == Crossing::at_start;
+  });
   if (on_surface) return true;
   if (ambiguous) return std::nullopt;
   for (std::size_t part = 0; part < winding.size(); ++part) {
@@ -214,19 +177,14 @@ std::optional<bool> Occluders::Tree::inside_by(const Segment& s) const {
 
 Occluders::Occluders() : Occluders(std::vector<TriangleMesh>()) {}
 
-Occluders::Occluders(const std::vector<TriangleMesh>& parts) {
-  const auto tree = std::make_shared<Tree>();
-  for (const TriangleMesh& part : parts) tree->add(part);
-  // CGAL would build on the first query, behind a lock.
-  tree->aabb.build();
-  tree_ = tree;
-}
+Occluders::Occluders(const std::vector<TriangleMesh>& parts)
+    : tree_(std::make_shared<Tree>(parts)) {}
 
 bool Occluders::blocks(const Point& a, const Point& b, double skin) const {
   const auto segment = shortened(a, b, skin);
   if (!segment) return false;
   bool found = false;
-  tree_->walk_along(*segment, [&](const Primitive&) { return found = true; });
+  tree_->walk_along(*segment, [&](const Triangle&) { return found = true; });
   return found;
 }
 
@@ -235,8 +193,8 @@ std::optional<std::uint32_t> Occluders::blocking_piece(const Point& a, const Poi
   const auto segment = shortened(a, b, skin);
   if (!segment) return std::nullopt;
   std::optional<std::uint32_t> piece;
-  tree_->walk_along(*segment, [&](const Primitive& p) {
-    piece = p.piece;
+  tree_->walk_along(*segment, [&](const Triangle& t) {
+    piece = t.piece;
     return true;
   });
   return piece;
@@ -251,16 +209,8 @@ bool Occluders::piece_blocks(std::uint32_t piece, const Point& a, const Point& b
 bool Occluders::touches_shaft(const Point& apex, const Box& box) const {
   const Shaft shaft(apex, box);
   bool found = false;
-  tree_->walk(
-      [&](const CGAL::Bbox_3& node) {
-        return shaft.may_meet({node.xmin(), node.ymin(), node.zmin()},
-                              {node.xmax(), node.ymax(), node.zmax()});
-      },
-      [&](const Primitive& p) {
-        return found = shaft.may_meet({eigen_point(p.triangle[0]),
-                                       eigen_point(p.triangle[1]),
-                                       eigen_point(p.triangle[2])});
-      });
+  tree_->walk(ShaftTest(shaft, tree_->tree.origin()),
+              [&](const Triangle& t) { return found = shaft.may_meet(t.corners); });
   return found;
 }
 
@@ -290,24 +240,23 @@ bool Occluders::hides(const Point& apex, const Box& box, double skin) const {
   const double keep_off = skin * (1 + 1e-9) + margin;
   const Box near = grown(Box(apex, apex), keep_off), far = grown(box, keep_off);
 
-  const auto covers = [&](const Primitive& p) {
+  const auto covers = [&](const Triangle& t) {
     for (int i = 0; i < 8; ++i) {
       const Segment s{apex, target.corner(static_cast<Box::CornerType>(i))};
-      if (tree_->alone[p.piece]
-              ? !meets(p, Kernel::Segment_3(cgal_point(s.a), cgal_point(s.b)))
-              : !tree_->piece_meets(p.piece, s)) {
+      if (tree_->alone[t.piece] ? !meets(t.corners, s)
+                                : !tree_->piece_meets(t.piece, s)) {
         return false;
       }
     }
-    return !tree_->piece_meets(p.piece, near) && !tree_->piece_meets(p.piece, far);
+    return !tree_->piece_meets(t.piece, near) && !tree_->piece_meets(t.piece, far);
   };
 
   bool found = false;
   std::optional<std::uint32_t> refused;  // a body is met where it is entered and left
-  tree_->walk_along({apex, box.center()}, [&](const Primitive& p) {
-    if (p.piece == refused) return false;
-    found = covers(p);
-    refused = p.piece;
+  tree_->walk_along({apex, box.center()}, [&](const Triangle& t) {
+    if (t.piece == refused) return false;
+    found = covers(t);
+    refused = t.piece;
     return found;
   });
   return found;
@@ -328,7 +277,7 @@ bool Occluders::contains(const Point& p) const {
   }
 }
 
-std::size_t Occluders::triangles() const { return tree_->aabb.size(); }
+std::size_t Occluders::triangles() const { return tree_->triangles.size(); }
 std::uint32_t Occluders::pieces() const {
   return static_cast<std::uint32_t>(tree_->part_of.size());
 }

@@ -1,9 +1,10 @@
-// The convex hull of a point and a box, as seen by a tree of boxes and triangles.
+// The convex hull of a point and a box, and what certainly misses it.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <span>
 
 namespace delos {
 
@@ -13,15 +14,6 @@ namespace delos {
 /// for the rounding of coordinates, so that "no" is certain.
 class Shaft {
  public:
-  Shaft(const Eigen::Vector3d& apex, const Eigen::AlignedBox3d& box);
-
-  /// Whether a box, grown from min to max, may meet the hull.
-  bool may_meet(const Eigen::Vector3d& min, const Eigen::Vector3d& max) const;
-
-  /// Whether a triangle may meet the hull.
-  bool may_meet(const std::array<Eigen::Vector3d, 3>& corners) const;
-
- private:
   /// A plane through the apex and an edge along one of the axes: it cuts the other two.
   struct Plane {
     int i, j;         // the axes that it cuts
@@ -29,6 +21,20 @@ class Shaft {
     double slack;  // n·(x − apex) is beyond doubt above this, x in the hull's bounds
   };
 
+  Shaft(const Eigen::Vector3d& apex, const Eigen::AlignedBox3d& box);
+
+  /// A box around the hull, with the margin.
+  const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+
+  /// Whether a triangle may meet the hull.
+  bool may_meet(const std::array<Eigen::Vector3d, 3>& corners) const;
+
+  std::span<const Plane> planes() const {
+    return {planes_.data(), static_cast<std::size_t>(plane_count_)};
+  }
+  const Eigen::Vector3d& apex() const { return apex_; }
+
+ private:
   void add_silhouette(int i, int j);
 
   Eigen::Vector3d apex_;

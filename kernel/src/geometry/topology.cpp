@@ -1,25 +1,35 @@
 #include "geometry/topology.h"
 
+#include <bit>
 #include <numeric>
 #include <tuple>
 
 namespace delos {
 namespace {
 
-/// For each vertex the one that stands for its position.
+/// Mixes the bits of a position; equal ones, −0 and 0 too, give the same.
+std::uint64_t hash_of(const Eigen::Vector3d& p) {
+  std::uint64_t h = 0;
+  for (int i = 0; i < 3; ++i) {
+    h = (h ^ std::bit_cast<std::uint64_t>(p[i] + 0.0)) * 0x9e3779b97f4a7c15;
+    h ^= h >> 32;
+  }
+  return h;
+}
+
+/// For each vertex the first at its position.
 std::vector<std::uint32_t> merged_vertices(const TriangleMesh& mesh) {
+  constexpr std::uint32_t kFree = ~0u;
   const auto& vertices = mesh.vertices;
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) {
-    return std::tuple(vertices[i].x(), vertices[i].y(), vertices[i].z(), i);
-  };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), kFree);
   std::vector<std::uint32_t> merged(vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-    merged[order[i]] = same ? merged[order[i - 1]] : order[i];
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    std::size_t slot = hash_of(vertices[v]) & (table.size() - 1);
+    while (table[slot] != kFree && vertices[table[slot]] != vertices[v]) {
+      slot = (slot + 1) & (table.size() - 1);
+    }
+    if (table[slot] == kFree) table[slot] = v;
+    merged[v] = table[slot];
   }
   return merged;
 }

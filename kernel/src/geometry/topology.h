@@ -33,7 +33,7 @@ struct Topology {
   std::vector<HalfEdge> half_edges;
 };
 
-/// @cost n log n for the vertices, linear in the triangles
+/// @cost linear
 Topology topology_of(const TriangleMesh& mesh);
 
 /// Calls f(low, half edges) for each edge, in order of its vertices; low is the

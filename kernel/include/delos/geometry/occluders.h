@@ -33,7 +33,7 @@ class DELOS_API Occluders {
   /// Nothing hides.
   Occluders();
   /// @param parts meshes, placed; each has an inside of its own where it is closed
-  /// @pre vertices finite, indices in range, fewer than 2³² triangles
+  /// @pre vertices finite, indices in range, fewer than 2³¹ triangles
   /// @cost n log n; the parts' vertices are copied into each triangle
   explicit Occluders(const std::vector<TriangleMesh>& parts);
 
