@@ -51,7 +51,26 @@ void Shaft::add_silhouette(int i, int j) {
   }
 }
 
+bool Shaft::may_meet(const Eigen::Vector3d& min, const Eigen::Vector3d& max) const {
+  // Only what is within the bounds can meet the hull.
+  const Eigen::Vector3d low = min.cwiseMax(bounds_.min());
+  const Eigen::Vector3d high = max.cwiseMin(bounds_.max());
+  if ((low.array() > high.array()).any()) return false;
+  for (int k = 0; k < plane_count_; ++k) {
+    const Plane& p = planes_[k];
+    // The corner that is innermost as seen by this plane.
+    const double x = (p.n_i > 0 ? low : high)[p.i] - apex_[p.i];
+    const double y = (p.n_j > 0 ? low : high)[p.j] - apex_[p.j];
+    if (p.n_i * x + p.n_j * y > p.slack) return false;
+  }
+  return true;
+}
+
 bool Shaft::may_meet(const std::array<Eigen::Vector3d, 3>& t) const {
+  if (!may_meet(t[0].cwiseMin(t[1]).cwiseMin(t[2]),
+                t[0].cwiseMax(t[1]).cwiseMax(t[2]))) {
+    return false;
+  }
   // All three corners beyond one plane? They may be far outside of the bounds.
   for (int k = 0; k < plane_count_; ++k) {
     const Plane& p = planes_[k];

@@ -36,6 +36,8 @@ class Shaft {
 
  private:
   void add_silhouette(int i, int j);
+  /// The same for a box, grown from min to max.
+  bool may_meet(const Eigen::Vector3d& min, const Eigen::Vector3d& max) const;
 
   Eigen::Vector3d apex_;
   Eigen::AlignedBox3d box_;
