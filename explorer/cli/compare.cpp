@@ -119,7 +119,11 @@ void print(std::ostream& out, const std::vector<Row>& rows,
   const std::string& unit = rows.front().field.unit;
   const auto value = [&](double v) { return format_quantity(v, unit) + " "; };
   out << rows.front().field.metric << " over " << rows.front().statistics.samples
-      << " samples of " << rows.front().field.scene << "\n";
+      << " samples of " << rows.front().field.scene;
+  if (const std::size_t inside = rows.front().statistics.inside; inside > 0) {
+    out << "; " << inside << " inside solids left out";
+  }
+  out << "\n";
   print_rows(out, rows, limit);
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const Comparison& c = comparisons[i];

@@ -47,6 +47,7 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   json["solver"] = to_string(report.solver);
   json["state"] = loaded.scene.motion.layout.names();
   json["units"] = loaded.scene.motion.layout.units();
+  json["inside"] = report.inside;
   json["observable"] = state.status == RiccatiStatus::converged;
   json["unobservable_directions"] = rows(state.unobservable.transpose());
   json["metrics"] = Json::object();
@@ -126,6 +127,7 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
               ? "some directions are not observed"
               : "the iteration did not settle")
       << "\n";
+  if (report.inside) out << "  The point is inside a solid: fields leave it out.\n";
   for (Eigen::Index i = 0; i < state.unobservable.cols(); ++i) {
     out << "  lost: "
         << direction(loaded.scene.motion.layout, state.unobservable.col(i)) << "\n";

@@ -80,6 +80,20 @@ TEST(CompareCommand, UsesTheSamplesOfTheFirst) {
   EXPECT_EQ(json["scenes"][1]["samples"], 2541);
 }
 
+/// A block about the eight samples nearest to a corner of the grid of 2,541.
+TEST(CompareCommand, CountsTheSamplesOutsideOfSolids) {
+  const Folder folder;
+  folder.write("block.yaml",
+               read_file(scene("01-acoustic")) +
+                   "\noccluders:\n  - {name: block, box: {min: [-0.01, -0.01, -0.01], "
+                   "max: [0.05, 0.05, 0.05]}}\n");
+  const Finished done = run({"compare", "block.yaml", "block.yaml"}, folder.path());
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(done.out.substr(0, done.out.find('\n')),
+            "eigmax over 2533 samples of Acoustic range tracker; 8 inside solids left "
+            "out");
+}
+
 TEST(CompareCommand, RefusesScenesOfDifferentMetrics) {
   const Folder folder;
   std::string text = read_file(scene("03-hybrid"));

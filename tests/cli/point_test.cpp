@@ -117,6 +117,17 @@ TEST(PointCommand, SaysWhatIsLostToPeople) {
   EXPECT_NE(done.out.find("(doesn't see the point)"), std::string::npos);
 }
 
+/// The southern desk's top is from z = 0.71 to 0.74 m.
+TEST(PointCommand, SaysThatAPointIsInsideASolid) {
+  const auto at = [](const char* place) {
+    return run({"point", scene("06-furnished-lab"), "--at", place}).out;
+  };
+  EXPECT_NE(at("1.35,1,0.72").find("The point is inside a solid"), std::string::npos);
+  EXPECT_EQ(at("1.35,1,0.76").find("The point is inside a solid"), std::string::npos);
+  EXPECT_EQ(point("06-furnished-lab", "1.35,1,0.72")["inside"], true);
+  EXPECT_EQ(point("06-furnished-lab", "1.35,1,0.76")["inside"], false);
+}
+
 TEST(PointCommand, RefusesPlacesThatAreNone) {
   for (const char* at : {"1,2", "1,2,3,4", "1,2,3 Hz", "1,2,nan", ""}) {
     const Finished done = run({"point", scene("01-acoustic"), "--at", at, "--json"});

@@ -362,6 +362,14 @@ TEST(RoomWarning, CountsDefectsAndSaysWhatFollows) {
                "0.1 0.2 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6\n"),
             "is open, 3 edges have one triangle only: it hides, but has no inside; 1 "
             "pair of triangles cuts through each other: it hides all the same");
+  // One face a second time, from its next corner and from behind.
+  EXPECT_EQ(of("OFF\n4 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n"
+               "3 1 2 3\n3 2 1 3\n"),
+            "1 triangle is there twice");
+  // One triangle with a corner twice, and one with it thrice.
+  EXPECT_EQ(of("OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 0 0\n3 0 2 1\n3 0 1 3\n"
+               "3 0 3 2\n3 1 2 3\n3 0 0 1\n3 3 3 3\n"),
+            "2 triangles without area hide nothing");
   // Two tetrahedra with one edge in common: it has four triangles.
   EXPECT_EQ(
       of("OFF\n6 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n3 0 2 1\n"

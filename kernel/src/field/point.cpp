@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "field/metric_value.h"
+#include "field/sight.h"
 
 namespace delos {
 namespace {
@@ -65,6 +66,7 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
                            const Metric& metric, Solver solver) {
   PointReport report;
   report.pose = pose;
+  report.inside = inside_solid(system, pose.p);
   const InformationLayers layers(system, {pose}, {.threads = 1});
   const FusionSolver fusion(system, solver);
   FusionSolver::Scratch scratch = fusion.make_scratch();

@@ -32,6 +32,7 @@ struct MetricValue {
 /// Everything about one pose.
 struct PointReport {
   TargetPose pose;
+  bool inside = false;  ///< within a solid, where no field has a value
   FusedState state;
   Solver solver = Solver::automatic;  ///< which one answered
   bool careful = false;  ///< from the stacked whitened rows, not from their product
