@@ -156,6 +156,22 @@ TEST(Occluders, AreExactAtAnySizeAndAnywhere) {
   }
 }
 
+// Determinants of coordinates this long don't fit into doubles: what is zero comes out
+// as something else where it is rounded.
+TEST(Occluders, AreExactWhereDoublesRound) {
+  const IntMesh m = rounded(confetti(), 2e5, 1);
+  const Occluders occluders({m.mesh});
+  IntDraw draw(6);
+  for (int i = 0; i < 10000; ++i) {
+    const auto [p, q] = draw_segment(draw, m, 400000);
+    const bool expected =
+        std::any_of(m.triangles.begin(), m.triangles.end(),
+                    [&](const IntTriangle& t) { return segment_meets(t, p, q); });
+    ASSERT_EQ(occluders.blocks(m.point(p), m.point(q), 0), expected)
+        << "from " << m.point(p).transpose() << " to " << m.point(q).transpose();
+  }
+}
+
 // Seen from the origin, the wall x = 2, |y| ≤ 1, |z| ≤ 1 hides what is behind it and,
 // by similar triangles, within |y| ≤ x/2, |z| ≤ x/2.
 TEST(Shadow, OfAWallIsAPyramid) {
