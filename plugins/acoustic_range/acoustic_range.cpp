@@ -54,6 +54,23 @@ class AcousticRange final : public delos::Device {
     return true;
   }
 
+  bool observe_smoothly(const Eigen::Vector3d& p,
+                        delos::SmoothRows& out) const override {
+    const double range = p.norm();
+    if (range == 0 || r_ == 0) return false;
+    const Eigen::Vector3d u = p / range;
+    out.rows = 1;
+    out.margin = (reach_ - range) / range;
+    out.margin_slope = -reach_ / (range * range) * u;
+    out.H.row(0) = u.transpose();
+    out.variance(0) = r_ * range * range;
+    const Eigen::Matrix3d turn =
+        (Eigen::Matrix3d::Identity() - u * u.transpose()) / range;
+    for (int k = 0; k < 3; ++k) out.H_slope[k].row(0) = turn.row(k);
+    out.variance_slope.row(0) = 2 * r_ * p.transpose();
+    return true;
+  }
+
   delos::View view_of_ball(const Eigen::Vector3d& center,
                            double radius) const override {
     const double near = center.norm() - radius, far = center.norm() + radius;

@@ -79,6 +79,7 @@ class PinholeCamera final : public delos::Device {
     }
     u_max_ = resolution(0) * pixel / 2;
     v_max_ = resolution(1) * pixel / 2;
+    least_cosine_ = 0.7 / std::sqrt(1 + u_max_ * u_max_ + v_max_ * v_max_);
     if (p.choice("noise") == "pixels") {
       constant_ = p["sigma"] * pixel * p["sigma"] * pixel;
     } else {
@@ -124,6 +125,56 @@ class PinholeCamera final : public delos::Device {
     return true;
   }
 
+  // Beyond the edge of the image depth is kept from vanishing, at z/d = c inside of
+  // which all that is in view lies (d the distance):
+  //
+  //   depth = z where z ≥ c d,  else c d (1 + exp(2 (z/(c d) − 1)))/2
+  //
+  // The margin is that of the nearest plane of the frustum, as the sine of an angle at
+  // the camera.
+  bool observe_smoothly(const Eigen::Vector3d& p,
+                        delos::SmoothRows& out) const override {
+    const double d = p.norm();
+    if (d == 0 || constant_ + growing_ == 0) return false;
+    const Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();
+    const double least = least_cosine_ * d;
+    double depth = p.z();
+    Eigen::Vector3d depth_slope = forward;
+    if (p.z() < least) {
+      const double decay = std::exp(2 * (p.z() / least - 1));
+      depth = least * (1 + decay) / 2;
+      depth_slope = decay * forward +
+                    least_cosine_ * ((1 + decay) / 2 - decay * p.z() / least) * p / d;
+    }
+    out.rows = 2;
+    out.H.topRows<2>() << 1 / depth, 0, -p.x() / (depth * depth),  //
+        0, 1 / depth, -p.y() / (depth * depth);
+    for (int k = 0; k < 3; ++k) {
+      const double s = -depth_slope(k) / (depth * depth);  // of 1/depth
+      const double x = (k == 0 ? -1 / depth : 0) / depth - 2 * p.x() * s / depth;
+      const double y = (k == 1 ? -1 / depth : 0) / depth - 2 * p.y() * s / depth;
+      out.H_slope[k].topRows<2>() << s, 0, x,  //
+          0, s, y;
+    }
+    out.variance.head<2>().setConstant(constant_ + growing_ * d * d);
+    out.variance_slope.row(0) = out.variance_slope.row(1) =
+        2 * growing_ * p.transpose();
+
+    // A plane a·p + b ≥ 0 has the margin (a·p + b)/d.
+    const auto plane = [&](const Eigen::Vector3d& a, double b, bool first) {
+      const double margin = (a.dot(p) + b) / d;
+      if (!first && margin >= out.margin) return;
+      out.margin = margin;
+      out.margin_slope = (a - margin * p / d) / d;
+    };
+    plane(forward, -near_, true);
+    plane(-forward, far_, false);
+    const double u = std::hypot(u_max_, 1), v = std::hypot(v_max_, 1);
+    plane({std::copysign(1 / u, -p.x()), 0, u_max_ / u}, 0, false);
+    plane({0, std::copysign(1 / v, -p.y()), v_max_ / v}, 0, false);
+    return true;
+  }
+
   // The frustum is convex: a ball is inside where it is on the inner side of all six
   // planes, and outside where it is beyond one of them. The sides pass through the
   // origin: u ≤ u_max where u_max z − x ≥ 0.
@@ -143,6 +194,7 @@ class PinholeCamera final : public delos::Device {
  private:
   double near_, far_;     // m
   double u_max_, v_max_;  // half the image, normalised
+  double least_cosine_;   // of the angle to the axis beyond which depth is smoothed
   double constant_ = 0;   // normalised, squared
   double growing_ = 0;    // normalised, squared, 1/m²
 };

@@ -293,6 +293,64 @@ TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
   }
 }
 
+// In view, what goes on smoothly is what is observed; the margin says which that is.
+TEST_P(DeviceContract, SmoothRowsAgreeWithSinglePoints) {
+  SmoothRows rows;
+  if (!device_->observe_smoothly({0.1, 0.2, 1}, rows)) return;
+  ASSERT_EQ(device_->span(), Span::point);
+  for (const Seen& at : cloud(*device_, 4000)) {
+    const Target& target = at.target;
+    ASSERT_TRUE(device_->observe_smoothly(target.p_ST, rows));
+    Observation one;
+    const bool seen = device_->observe(target, one);
+    if (std::abs(rows.margin) > 1e-12) {
+      ASSERT_EQ(seen, rows.margin > 0);
+    }
+    ASSERT_TRUE(rows.H.topRows(rows.rows).allFinite());
+    ASSERT_TRUE((rows.variance.head(rows.rows).array() > 0).all());
+    if (!seen) continue;
+    ASSERT_EQ(one.z.size(), rows.rows);
+    EXPECT_TRUE(one.R.isDiagonal(0));
+    for (int r = 0; r < rows.rows; ++r) {
+      EXPECT_NEAR(rows.variance(r), one.R(r, r), 1e-14 * one.R(r, r));
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(rows.H(r, i), one.H(r, i), 1e-14 * one.H.row(r).norm());
+    }
+  }
+}
+
+// Central differences of what goes on smoothly, in view and out of it. A margin has
+// kinks where another edge becomes the nearest: few points of the cloud are there.
+TEST_P(DeviceContract, SmoothSlopesMatchCentralDifferences) {
+  SmoothRows here, to, from;
+  if (!device_->observe_smoothly({0.1, 0.2, 1}, here)) return;
+  int kinks = 0, points = 0;
+  for (const Seen& at : cloud(*device_, 1000)) {
+    const Eigen::Vector3d p = at.target.p_ST;
+    ASSERT_TRUE(device_->observe_smoothly(p, here));
+    const double h = 1e-5 * p.norm();
+    for (int k = 0; k < 3; ++k, ++points) {
+      device_->observe_smoothly(p + h * Eigen::Vector3d::Unit(k), to);
+      device_->observe_smoothly(p - h * Eigen::Vector3d::Unit(k), from);
+      const auto slope = [&](const auto& a, const auto& b) {
+        return ((a - b) / (2 * h)).eval();
+      };
+      const double margin_slope = (to.margin - from.margin) / (2 * h);
+      if (std::abs(here.margin_slope(k) - margin_slope) >
+          1e-6 * (std::abs(margin_slope) + here.margin_slope.norm()))
+        ++kinks;
+      const auto top = [&](const auto& m) { return m.topRows(here.rows).eval(); };
+      EXPECT_LT((top(here.H_slope[k]) - slope(top(to.H), top(from.H))).norm(),
+                1e-6 * top(here.H).norm() / p.norm());
+      EXPECT_LT((top(here.variance_slope).col(k) -
+                 slope(top(to.variance), top(from.variance)))
+                    .norm(),
+                1e-6 * top(here.variance).norm() / p.norm());
+    }
+  }
+  EXPECT_LT(kinks, points / 200);
+}
+
 // What a device says of a ball holds at points of it.
 TEST_P(DeviceContract, ViewsOfBallsHoldForTheirPoints) {
   if (device_->span() != Span::point) return;

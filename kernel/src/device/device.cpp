@@ -8,6 +8,10 @@ Device::~Device() = default;
 
 bool Device::observe_lanes(const PointLanes&, RowLanes&) const { return false; }
 
+bool Device::observe_smoothly(const Eigen::Vector3d&, SmoothRows&) const {
+  return false;
+}
+
 View Device::view_of_ball(const Eigen::Vector3d&, double) const {
   return View::unknown;
 }

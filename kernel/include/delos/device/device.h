@@ -74,6 +74,20 @@ struct RowLanes {
   double variance[kMaxLaneRows][kLanes];  ///< of each row's noise; 0: perfect
 };
 
+/// What a device would measure of a point if its view had no edge: rows of independent
+/// noise, with their slopes. For gradient searches, which need edges that are soft.
+struct SmoothRows {
+  int rows = 0;
+  /// How far the point is inside the view, as an angle in radians or a part of its
+  /// distance: above 0 where observe() sees it, below 0 where it doesn't. Continuous.
+  double margin = 0;
+  Eigen::Vector3d margin_slope = Eigen::Vector3d::Zero();  ///< ∂margin/∂p, 1/m
+  Eigen::Matrix3d H;         ///< row i: Jacobian of reading i with respect to p
+  Eigen::Vector3d variance;  ///< of each row's noise, > 0
+  Eigen::Matrix3d H_slope[3];      ///< ∂H/∂p_k
+  Eigen::Matrix3d variance_slope;  ///< row i: ∂variance_i/∂p
+};
+
 /// Where something is with respect to what a device can see.
 enum class View {
   outside,   ///< all of it is unseen
@@ -113,6 +127,15 @@ class DELOS_API Device {
   /// @returns false where the device has no such way, as here: observe() is asked then.
   [[nodiscard]] virtual bool observe_lanes(const PointLanes& points,
                                            RowLanes& out) const;
+
+  /// What the device would measure of a point if its view had no edge. Where the point
+  /// is in view, H and the noise are those of observe(); elsewhere anything that goes on
+  /// smoothly, finite everywhere but at the origin.
+  /// @param p in S, metres
+  /// @returns false where the device has no such entry, as here: searches then take
+  ///          differences of observe() and feel no pull at the edges of its view.
+  [[nodiscard]] virtual bool observe_smoothly(const Eigen::Vector3d& p,
+                                              SmoothRows& out) const;
 
   /// Where a ball of points is with respect to the field of view and reach: what spares
   /// looking at them one by one. Outside and inside must hold for every point of it.
