@@ -105,7 +105,7 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
     field.observable[p] = values[p].observable;
     field.lost[p] = static_cast<unsigned char>(values[p].lost);
   }
-  field.inside = inside_solids(system, samples);
+  if (options.find_inside) field.inside = inside_solids(system, samples);
   field.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return field;

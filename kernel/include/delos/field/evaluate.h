@@ -24,6 +24,7 @@ struct FieldOptions {
   std::function<void(std::size_t, std::size_t)> progress;
   const std::atomic<bool>* cancel =
       nullptr;  ///< set: stop soon and return what there is
+  bool find_inside = true;  ///< false: leave Field::inside empty
 };
 
 /// Empty where the metric is defined for the system; else a sentence that says why not.

@@ -1,0 +1,68 @@
+// Fields whose edges are soft, and how they change with the devices: for searches.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "delos/api.h"
+#include "delos/field/system.h"
+#include "delos/model/metric.h"
+#include "delos/sampling/samples.h"
+
+namespace delos {
+
+/// Empty where SoftField can differentiate the metric of the system; else a sentence
+/// that says why not.
+[[nodiscard]] DELOS_API std::string slope_problem(const System& system,
+                                                  const Metric& metric);
+
+/// How a number J that depends on a field changes when a device moves.
+/// ∂J/∂[p, φ]: of its place in the world, 1/metres, and of a small turn exp(φ) about
+/// the world's axes, 1/radians.
+using PoseSlope = Eigen::Matrix<double, 6, 1>;
+
+/// Metrics of a system at samples, with soft edges of views and shadows, and the slopes
+/// of any function J of them, by the adjoint: docs/theory.md, section "Derivatives".
+///
+///     S = Σ_i v_i S_i,   v = v_view v_shadow
+///     v_view = 1/(1 + exp(−4 m/w)),   m the device's margin (SmoothRows)
+///     v_shadow = 3x² − 2x³ up to 1,   x = 3 c/(w l),  c how far the sight line of
+///                length l passes from what hides; 0 where it is hidden
+///
+/// with w = width. Eigmax is replaced by (Σ λ^p)^(1/2p), p = 16, which has slopes where
+/// eigenvalues meet; it is above eigmax by 3.5 % at most.
+class DELOS_API SoftField {
+ public:
+  /// @param floor information of one update, or its rate, that every coordinate of the
+  ///              pose has besides; 1/m² and 1/rad²
+  /// @pre slope_problem() is empty for every metric
+  SoftField(Samples samples, Orientations orientations, std::vector<Metric> metrics,
+            double floor, int threads = 0);
+  ~SoftField();
+
+  /// @param width radians, about how wide edges are; 0: hard
+  /// @returns metrics × samples; +∞ where a metric has no finite value
+  /// @pre the metrics are of the system's layout
+  const std::vector<std::vector<double>>& evaluate(const System& system, double width);
+
+  /// Take over ∂J/∂value at the field last evaluated, metrics × samples.
+  void adjoin(const std::vector<std::vector<double>>& slopes);
+
+  /// Of all devices. Exact where they have observe_smoothly(), else by central
+  /// differences of each device's own information.
+  [[nodiscard]] std::vector<PoseSlope> pose_slopes() const;
+
+  /// Σ ⟨∂J/∂S, S_device⟩ over all poses, of a device of the system as it is or changed:
+  /// its differences in anything that only this device depends on are those of J, to
+  /// first order.
+  [[nodiscard]] double contraction(std::size_t index, const PlacedDevice& device) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace delos

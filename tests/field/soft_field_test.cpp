@@ -1,0 +1,124 @@
+// Soft fields: the hard field where edges are hard, and slopes against central
+// differences, with and without the device's own.
+#include "delos/field/soft_field.h"
+
+#include <gtest/gtest.h>
+
+#include "support/rigs.h"
+
+namespace delos {
+namespace {
+
+/// The acoustic law with its slopes, in view up to `reach`.
+class SmoothRange final : public testing::TestRange {
+ public:
+  using TestRange::TestRange;
+  bool observe_smoothly(const Eigen::Vector3d& p, SmoothRows& out) const override {
+    const double range = p.norm();
+    const Eigen::Vector3d u = p / range;
+    out.rows = 1;
+    out.margin = (reach_ - range) / range;
+    out.margin_slope = -reach_ / (range * range) * u;
+    out.H.row(0) = u.transpose();
+    out.variance(0) = r_ * range * range;
+    const Eigen::Matrix3d turn =
+        (Eigen::Matrix3d::Identity() - u * u.transpose()) / range;
+    for (int k = 0; k < 3; ++k) out.H_slope[k].row(0) = turn.row(k);
+    out.variance_slope.row(0) = 2 * r_ * p.transpose();
+    return true;
+  }
+};
+
+template <class Range>
+System rig(double reach = 1e9) {
+  System system = testing::acoustic_system();
+  for (PlacedDevice& device : system.devices)
+    device.device = std::make_shared<Range>(0.005, reach);
+  return system;
+}
+
+const Samples kSamples = testing::volume({0.01, 0, 0}, {0.4, 0.3, 0.8}, 0.1);
+
+TEST(SoftField, IsTheFieldWhereEdgesAreHard) {
+  const System system = rig<SmoothRange>(1.1);
+  const Metric metric = testing::metric_of(system, "sigma_position");
+  SoftField soft(kSamples, {}, {metric}, 0);
+  const auto& values = soft.evaluate(system, 0);
+  const Field field = evaluate_field(system, kSamples, {}, metric);
+  int blind = 0;
+  for (std::size_t i = 0; i < field.value.size(); ++i) {
+    blind += std::isinf(field.value[i]);
+    if (std::isinf(field.value[i]))
+      EXPECT_TRUE(std::isinf(values[0][i]));
+    else
+      EXPECT_NEAR(values[0][i], field.value[i], 1e-9 * field.value[i]);
+  }
+  EXPECT_GT(blind, 0);
+  EXPECT_LT(blind, static_cast<int>(field.value.size()));
+}
+
+template <class Range>
+void expect_slopes(double reach, double width) {
+  System system = rig<Range>(reach);
+  const Metric metric = testing::metric_of(system, "sigma_z");
+  const std::vector<std::vector<double>> ones(
+      1, std::vector<double>(kSamples.points.size(), 1.0));
+  SoftField soft(kSamples, {}, {metric}, 1.0);
+  soft.evaluate(system, width);
+  soft.adjoin(ones);
+  const std::vector<PoseSlope> slopes = soft.pose_slopes();
+  ASSERT_EQ(slopes.size(), system.devices.size());
+  const auto sum = [&](const System& at) {
+    SoftField other(kSamples, {}, {metric}, 1.0);
+    double total = 0;
+    for (const double value : other.evaluate(at, width)[0]) total += value;
+    return total;
+  };
+  for (std::size_t i = 0; i < system.devices.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kStep = 1e-5;
+      System up = system, down = system;
+      up.devices[i].X_WS.p(k) += kStep;
+      down.devices[i].X_WS.p(k) -= kStep;
+      EXPECT_NEAR(slopes[i](k), (sum(up) - sum(down)) / (2 * kStep),
+                  1e-6 * slopes[i].norm());
+    }
+    // A range doesn't turn.
+    EXPECT_LT(slopes[i].tail<3>().norm(), 1e-9 * slopes[i].head<3>().norm());
+  }
+}
+
+TEST(SoftField, SlopesOfTheDevice) { expect_slopes<SmoothRange>(1.1, 0.2); }
+
+TEST(SoftField, SlopesByDifferences) { expect_slopes<testing::TestRange>(1e9, 0.2); }
+
+// A wall that ends short of the sight line: the nearer, the less is seen, down to
+// nothing where the line is hidden, and the edge hardens with the width.
+TEST(SoftField, ShadowsHaveSoftEdges) {
+  System system = rig<SmoothRange>();
+  system.devices.resize(1);
+  system.devices[0].X_WS.p = {0, 0, 2};
+  const auto variance_at = [&](double edge, double width) {
+    OccluderEntry wall;
+    wall.body = BoxShape{{-1, -1, 0.9}, {edge, 1, 1}};
+    system.occluders = {wall};
+    system.in_world = Occluders({body_mesh(wall.body)});
+    const Samples below = testing::points({{0, 0, 0}});
+    const Metric metric = testing::metric_of(system, "sigma_z");
+    SoftField soft(below, {}, {metric}, 1e-4);
+    return soft.evaluate(system, width)[0][0];
+  };
+  const double free = variance_at(-0.5, 0.3), hidden = variance_at(0.1, 0.3);
+  EXPECT_GT(hidden, 3 * free);
+  double last = free;
+  for (const double edge : {-0.15, -0.1, -0.05, -0.02, -0.001, 0.1}) {
+    const double here = variance_at(edge, 0.3);
+    EXPECT_GT(here, last);
+    last = here;
+  }
+  EXPECT_EQ(variance_at(-0.05, 0), free);
+  EXPECT_EQ(variance_at(-0.05, 0.01), free);
+}
+
+}  // namespace
+}  // namespace delos
