@@ -86,15 +86,6 @@ std::vector<Bad> bad_texts() {
        {e("14:5: error: devices.s1.rate: no value is given: updates a second, such as "
           "50 "
           "Hz")}},
-      {"LaterTopKeys",
-       kGood + "variables: []\nconstraints: []\nobjective: {}\n",
-       {e("18:12: error: variables: not supported by this version: what a search may "
-          "change"),
-        e("19:14: error: constraints: not supported by this version: what a search "
-          "must "
-          "keep"),
-        e("20:12: error: objective: not supported by this version: what a search makes "
-          "small")}},
       {"LaterSampleKey",
        good_with(kVolume, "path: walk.csv"),
        {e("8:9: error: sample.path: not supported by this version: samples along a "

@@ -49,6 +49,10 @@ const Eigen::MatrixXd& ParamValues::matrix(std::string_view name) const {
   return get<Eigen::MatrixXd>(at(name), name, "vector or matrix");
 }
 
+ParamValue& ParamValues::edit(std::string_view name) {
+  return const_cast<ParamValue&>(at(name));
+}
+
 const ParamValue& ParamValues::at(std::string_view name) const {
   for (const auto& [key, value] : values_) {
     if (key == name) return value;

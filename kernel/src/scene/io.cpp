@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "output/file_commit.h"
 #include "scene/extends.h"
 #include "scene/node_text.h"
 #include "scene/override.h"
@@ -51,6 +52,46 @@ std::optional<Scene> parse_scene(std::string_view text,
   if (findings.errors() > 0) scene.reset();
   findings.move_to(diagnostics);
   return scene;
+}
+
+namespace {
+
+/// Every file that a scene names by a path relative to itself.
+template <class Visit>
+void visit_files(Scene& scene, Visit&& visit) {
+  const auto body = [&](Body& b) {
+    if (auto* mesh = std::get_if<MeshShape>(&b)) visit(mesh->file);
+  };
+  for (OccluderEntry& occluder : scene.occluders) body(occluder.body);
+  for (RegionEntry& region : scene.regions) body(region.body);
+  for (SurfaceEntry& surface : scene.surfaces) {
+    if (auto* mesh = std::get_if<MeshSurface>(&surface.shape)) visit(mesh->mesh.file);
+  }
+  for (BeaconSet& set : scene.beacons) {
+    auto* list = std::get_if<BeaconList>(&set.layout);
+    if (list && !list->file.empty()) visit(list->file);
+  }
+  for (SampleSet& set : scene.samples) {
+    if (auto* mesh = std::get_if<MeshSampling>(&set.shape)) visit(mesh->surface.file);
+    if (auto* points = std::get_if<PointSampling>(&set.shape)) {
+      if (!points->file.empty()) visit(points->file);
+    }
+  }
+}
+
+}  // namespace
+
+std::string save_scene(Scene scene, const std::filesystem::path& folder,
+                       const std::filesystem::path& file) {
+  visit_files(scene, [&](std::string& name) {
+    const std::filesystem::path path = name;
+    if (path.is_absolute()) return;
+    const auto from = std::filesystem::absolute(file).parent_path();
+    name = (std::filesystem::absolute(folder) / path).lexically_relative(from).string();
+  });
+  if (const std::string problem = missing_folder(file); !problem.empty())
+    return problem;
+  return commit_file(file, [&](std::ostream& out) { out << write_scene(scene); });
 }
 
 std::string write_scene(const Scene& scene) { return to_yaml(scene_node(scene)); }

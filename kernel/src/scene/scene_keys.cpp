@@ -10,6 +10,7 @@
 #include "scene/node_text.h"
 #include "scene/occluder_keys.h"
 #include "scene/sample_keys.h"
+#include "scene/search_keys.h"
 #include "scene/surface_keys.h"
 #include "scene/words.h"
 
@@ -162,9 +163,13 @@ constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
        if (d.scene.skin == Scene{}.skin) return std::nullopt;
        return to_node(d.scene.skin);
      }},
-    {"variables", Need::later, "what a search may change"},
-    {"constraints", Need::later, "what a search must keep"},
-    {"objective", Need::later, "what a search makes small"},
+    // Read last, by read_search(): they are about the whole scene.
+    {"variables", Need::optional, "what a search may change", nullptr,
+     [](const Draft& d) { return write_variables(d.scene); }},
+    {"constraints", Need::optional, "what a search must keep", nullptr,
+     [](const Draft& d) { return write_constraints(d.scene); }},
+    {"objective", Need::optional, "what a search makes small", nullptr,
+     [](const Draft& d) { return write_objective(d.scene); }},
 }};
 
 /// Two devices whose rates differ, or null.
@@ -223,6 +228,19 @@ void read_near_metric(Reader& reader, const Place& root, Draft& draft) {
     read_near(reader, Place(root, "sample", *sample), known->unit, draft.scene);
 }
 
+/// What a search is told names parts of the scene, so that these must be in order.
+void read_search(Reader& reader, const Place& root, Scene& scene) {
+  using Read = void (*)(Reader&, const Place&, Scene&);
+  for (const auto& [key, read] :
+       {std::pair<const char*, Read>{"variables", read_variables},
+        {"constraints", read_constraints},
+        {"objective", read_objective}}) {
+    const Node* node = root.node().find(key);
+    if (node && node->kind != Node::Kind::null)
+      read(reader, Place(root, key, *node), scene);
+  }
+}
+
 }  // namespace
 
 Scene read_scene(Reader& reader, const Node& root) {
@@ -240,6 +258,7 @@ Scene read_scene(Reader& reader, const Node& root) {
       std::all_of(draft.scene.devices.begin(), draft.scene.devices.end(),
                   [](const DeviceEntry& d) { return d.rate > 0; });
   if (draft.known.motion && rates_known) check_fusion(reader, place, draft.scene);
+  if (reader.findings.errors() == 0) read_search(reader, place, draft.scene);
   return std::move(draft.scene);
 }
 

@@ -62,6 +62,9 @@ class DELOS_API ParamValues {
   /// The vector (n×1) or matrix. @throws std::out_of_range as above.
   [[nodiscard]] const Eigen::MatrixXd& matrix(std::string_view name) const;
 
+  /// The value called `name`, to be changed. @throws std::out_of_range as above.
+  [[nodiscard]] ParamValue& edit(std::string_view name);
+
   /// All values with their names.
   [[nodiscard]] const std::vector<std::pair<std::string, ParamValue>>& all() const {
     return values_;

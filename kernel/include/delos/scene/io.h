@@ -52,4 +52,12 @@ using MeshProgress =
 /// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
 [[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
 
+/// Write the scene to a file, whole or not at all. Files that it names by relative paths
+/// are found from the new place too.
+/// @param folder where the scene's relative paths start now
+/// @returns empty, or a sentence that says why it was not written
+[[nodiscard]] DELOS_API std::string save_scene(Scene scene,
+                                               const std::filesystem::path& folder,
+                                               const std::filesystem::path& file);
+
 }  // namespace delos

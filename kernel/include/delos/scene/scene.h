@@ -18,6 +18,7 @@
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/riccati/chain.h"
+#include "delos/scene/search.h"
 
 namespace delos {
 
@@ -313,6 +314,9 @@ struct Scene {
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
   /// marker on a body.
   double skin = 1e-3;
+  std::vector<VariableEntry> variables;
+  std::vector<ConstraintEntry> constraints;
+  Objective objective;
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };

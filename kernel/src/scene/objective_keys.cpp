@@ -1,0 +1,264 @@
+#include <algorithm>
+
+#include "delos/model/metric.h"
+#include "scene/node_text.h"
+#include "scene/search_keys.h"
+#include "scene/words.h"
+
+namespace delos {
+namespace {
+
+using Written = std::optional<Node>;
+
+constexpr std::pair<const char*, Reduction> kReductionWords[] = {
+    {"mean", Reduction::mean},
+    {"p_norm", Reduction::p_norm},
+    {"soft_max", Reduction::soft_max},
+    {"maximum", Reduction::maximum},
+    {"percentile", Reduction::percentile},
+    {"cvar", Reduction::cvar},
+    {"fraction", Reduction::fraction}};
+
+/// A term while it is read.
+struct Draft {
+  const Scene* scene = nullptr;
+  ObjectiveTerm term;
+  std::string reduction;  ///< the key that gave it
+};
+
+Metric metric_of(const Draft& draft) {
+  const std::string& name =
+      draft.term.metric.empty() ? draft.scene->metric : draft.term.metric;
+  return std::get<Metric>(parse_metric(name, draft.scene->motion.layout));
+}
+
+void read_reduction(Reader& reader, const Place& at, Draft& out, bool maximize) {
+  const auto reduction = reader.choice(at, kReductionWords);
+  if (!reduction) return;
+  if (!out.reduction.empty())
+    reader.error(at, "the term is given by '" + out.reduction + "' already; keep one");
+  out.reduction = maximize ? "maximize" : "minimize";
+  out.term.reduction = *reduction;
+  out.term.maximize = maximize;
+}
+
+void read_metric(Reader& reader, const Place& at, Draft& out) {
+  const auto name = reader.word(at);
+  if (!name) return;
+  const auto known = parse_metric(*name, out.scene->motion.layout);
+  if (const auto* problem = std::get_if<std::string>(&known))
+    reader.error(at, *problem);
+  else
+    out.term.metric = *name;
+}
+
+/// A number within (least, greatest), or [least, … where `inclusive`.
+void read_between(Reader& reader, const Place& at, double least, bool inclusive,
+                  double greatest, double& out) {
+  const auto value = reader.number(at, "1");
+  if (!value) return;
+  if (*value < least || (!inclusive && *value == least) || !(*value < greatest))
+    reader.error(at, at.node().text + " is out of range");
+  out = *value;
+}
+
+void read_limit(Reader& reader, const Place& at, Draft& out) {
+  if (const auto value = reader.number(at, metric_of(out).unit))
+    out.term.limit = *value;
+}
+
+struct SetDraft {
+  const Scene* scene = nullptr;
+  WeightedSet set;
+};
+
+void read_set_name(Reader& reader, const Place& at, const Scene& scene,
+                   std::string& out) {
+  const auto name = reader.word(at);
+  if (!name) return;
+  std::vector<std::string> known;
+  for (const SampleSet& set : scene.samples)
+    if (!set.name.empty()) known.push_back(set.name);
+  if (std::find(known.begin(), known.end(), *name) == known.end())
+    reader.error(at, "there is no sample set '" + *name + '\'' +
+                         (known.empty() ? "; no set of the scene has a name"
+                                        : suggestion(*name, known)));
+  out = *name;
+}
+
+constexpr std::array<Key<SetDraft>, 2> kSetKeys = {{
+    {"set", Need::required, "name of a sample set",
+     [](Reader& r, const Place& p, SetDraft& d) {
+       read_set_name(r, p, *d.scene, d.set.name);
+     },
+     [](const SetDraft& d) -> Written { return to_node(d.set.name); }},
+    {"weight", Need::optional, "how much each of its samples counts",
+     [](Reader& r, const Place& p, SetDraft& d) {
+       read_between(r, p, 0, false, 1e12, d.set.weight);
+     },
+     [](const SetDraft& d) -> Written { return to_node(d.set.weight); }},
+}};
+
+void read_over(Reader& reader, const Place& at, Draft& out) {
+  const auto read_one = [&](const Place& place) {
+    SetDraft draft{out.scene, {}};
+    if (place.node().kind == Node::Kind::scalar)
+      read_set_name(reader, place, *out.scene, draft.set.name);
+    else if (!read_map(reader, place, kSetKeys, draft))
+      return;
+    out.term.over.push_back(std::move(draft.set));
+  };
+  if (at.node().kind != Node::Kind::list) return read_one(at);
+  for (std::size_t i = 0; i < at.node().items.size(); ++i)
+    read_one(Place(at, std::to_string(i), at.node().items[i]));
+}
+
+Written write_reduction(const Draft& d, bool maximize) {
+  if (d.term.maximize != maximize) return std::nullopt;
+  return to_node(word_of(kReductionWords, d.term.reduction));
+}
+
+constexpr std::array<Key<Draft>, 9> kTermKeys = {{
+    {"minimize", Need::optional,
+     "mean, p_norm, soft_max, maximum, percentile, cvar or fraction",
+     [](Reader& r, const Place& p, Draft& d) { read_reduction(r, p, d, false); },
+     [](const Draft& d) { return write_reduction(d, false); }},
+    {"maximize", Need::optional, "the same, of a metric of which more is better",
+     [](Reader& r, const Place& p, Draft& d) { read_reduction(r, p, d, true); },
+     [](const Draft& d) { return write_reduction(d, true); }},
+    {"of", Need::optional, "the metric; default: the scene's", read_metric,
+     [](const Draft& d) -> Written {
+       if (d.term.metric.empty()) return std::nullopt;
+       return to_node(d.term.metric);
+     }},
+    {"weight", Need::optional, "of this term in the sum",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_between(r, p, 0, false, 1e12, d.term.weight);
+     },
+     [](const Draft& d) -> Written { return to_node(d.term.weight); }},
+    {"p", Need::optional, "power of p_norm, at least 1",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_between(r, p, 1, true, 1e3, d.term.power);
+     },
+     [](const Draft& d) -> Written { return to_node(d.term.power); }},
+    {"sharpness", Need::optional, "of soft_max, above 0",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_between(r, p, 0, false, 1e4, d.term.sharpness);
+     },
+     [](const Draft& d) -> Written { return to_node(d.term.sharpness); }},
+    {"level", Need::optional, "of percentile and cvar, between 0 and 1",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_between(r, p, 0, false, 1, d.term.level);
+     },
+     [](const Draft& d) -> Written { return to_node(d.term.level); }},
+    {"limit", Need::optional, "of fraction: what a sample should keep to", read_limit,
+     [](const Draft& d) -> Written { return to_node(d.term.limit); }},
+    {"over", Need::optional, "sample sets that count, with weights; default: all alike",
+     read_over,
+     [](const Draft& d) -> Written {
+       if (d.term.over.empty()) return std::nullopt;
+       std::vector<Node> list;
+       for (const WeightedSet& set : d.term.over)
+         list.push_back(write_map(kSetKeys, SetDraft{nullptr, set}));
+       return to_node(std::move(list));
+     }},
+}};
+
+/// What only the keys together tell.
+void check_term(Reader& reader, const Place& at, const Draft& draft) {
+  if (draft.reduction.empty()) {
+    reader.error(at, "says neither what to minimize nor what to maximize");
+    return;
+  }
+  const Metric metric = metric_of(draft);
+  const bool fraction = draft.term.reduction == Reduction::fraction;
+  const Node* reduction = at.node().find(draft.reduction);
+  if (!fraction && metric.larger_is_better != draft.term.maximize)
+    reader.error_within(at, reduction->mark, draft.reduction,
+                        metric.larger_is_better
+                            ? "more " + metric.name + " is better: maximize it"
+                            : "less " + metric.name + " is better: minimize it");
+  if (fraction && draft.term.maximize)
+    reader.error_within(at, reduction->mark, draft.reduction,
+                        "fraction is the part of the samples that miss the limit: "
+                        "minimize it");
+  if (fraction && !at.node().find("limit"))
+    reader.error_within(at, at.node().mark, "limit",
+                        "missing: what a sample should keep to, in " +
+                            (metric.unit == "1" ? "numbers" : metric.unit));
+}
+
+/// An objective while it is read: one term stands in it directly.
+struct ObjectiveDraft {
+  const Scene* scene = nullptr;
+  Objective objective;
+};
+
+void read_terms(Reader& reader, const Place& at, ObjectiveDraft& out) {
+  if (!reader.expect(at, Node::Kind::list, "a list of terms")) return;
+  for (std::size_t i = 0; i < at.node().items.size(); ++i) {
+    const Place place(at, std::to_string(i), at.node().items[i]);
+    Draft draft{out.scene, {}, {}};
+    const std::size_t before = reader.findings.errors();
+    if (!read_map(reader, place, kTermKeys, draft)) continue;
+    if (reader.findings.errors() == before) check_term(reader, place, draft);
+    out.objective.terms.push_back(std::move(draft.term));
+  }
+}
+
+constexpr std::array<Key<ObjectiveDraft>, 2> kObjectiveKeys = {{
+    {"terms", Need::optional, "a list of terms, whose weighted sum is made small",
+     read_terms,
+     [](const ObjectiveDraft& d) -> Written {
+       std::vector<Node> list;
+       for (const ObjectiveTerm& term : d.objective.terms)
+         list.push_back(write_map(kTermKeys, Draft{nullptr, term, {}}));
+       return to_node(std::move(list));
+     }},
+    {"guess", Need::optional,
+     "how good a guess stands in for what no device sees, metres and radians",
+     [](Reader& r, const Place& p, ObjectiveDraft& d) {
+       const auto guess = r.number(p, "m");
+       if (guess && !(*guess > 0)) r.error(p, "must be above 0");
+       if (guess) d.objective.guess = *guess;
+     },
+     [](const ObjectiveDraft& d) -> Written { return to_node(d.objective.guess); }},
+}};
+
+}  // namespace
+
+void read_objective(Reader& reader, const Place& at, Scene& scene) {
+  ObjectiveDraft draft{&scene, {}};
+  const Node& node = at.node();
+  if (node.kind == Node::Kind::map && !node.find("terms")) {
+    // The keys of the only term stand beside `guess`.
+    Node term = node, rest = node;
+    term.keys.clear();
+    term.items.clear();
+    rest.keys.clear();
+    rest.items.clear();
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      Node& part = node.keys[i].text == "guess" ? rest : term;
+      part.keys.push_back(node.keys[i]);
+      part.items.push_back(node.items[i]);
+    }
+    read_map(reader, Place(rest), kObjectiveKeys, draft);
+    Draft single{&scene, {}, {}};
+    const Node root;
+    const Place place(Place(root), "objective", term);
+    const std::size_t before = reader.findings.errors();
+    read_map(reader, place, kTermKeys, single);
+    if (reader.findings.errors() == before) check_term(reader, place, single);
+    draft.objective.terms.push_back(std::move(single.term));
+  } else if (!read_map(reader, at, kObjectiveKeys, draft)) {
+    return;
+  }
+  scene.objective = std::move(draft.objective);
+}
+
+std::optional<Node> write_objective(const Scene& scene) {
+  if (scene.objective == Objective{}) return std::nullopt;
+  return write_map(kObjectiveKeys, ObjectiveDraft{nullptr, scene.objective});
+}
+
+}  // namespace delos

@@ -1,0 +1,19 @@
+// What a search is told: the keys of `variables`, `objective` and `constraints`.
+#pragma once
+
+#include "delos/scene/scene.h"
+#include "scene/keys.h"
+
+namespace delos {
+
+// Each needs the rest of the scene, whose findings are none.
+void read_variables(Reader& reader, const Place& at, Scene& scene);
+void read_objective(Reader& reader, const Place& at, Scene& scene);
+void read_constraints(Reader& reader, const Place& at, Scene& scene);
+
+// nullopt where there is nothing to write.
+[[nodiscard]] std::optional<Node> write_variables(const Scene& scene);
+[[nodiscard]] std::optional<Node> write_objective(const Scene& scene);
+[[nodiscard]] std::optional<Node> write_constraints(const Scene& scene);
+
+}  // namespace delos
