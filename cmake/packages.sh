@@ -3,7 +3,7 @@ packages_to_build=(
   g++ cmake ninja-build ccache pkg-config
   libeigen3-dev libboost-dev libyaml-cpp-dev libudunits2-dev
   libcairo2-dev fonts-dejavu-core nlohmann-json3-dev libcli11-dev
-  libcgal-dev
+  libcgal-dev libnlopt-dev libsqlite3-dev
 )
 packages_to_check=(
   libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev

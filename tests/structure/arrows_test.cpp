@@ -1,4 +1,5 @@
-// Who may know whom: explorer -> kernel <- plugins, and one room for each library.
+// Who may know whom: explorer -> optimizers -> kernel <- plugins, and one room for each
+// library.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -36,6 +37,7 @@ TEST(Arrows, AreReadFromAllFiles) {
   EXPECT_GE(sources("kernel/src").size(), 50u);
   EXPECT_GE(sources("plugins").size(), 3u);
   EXPECT_GE(sources("explorer").size(), 10u);
+  EXPECT_GE(sources("optimizers").size(), 10u);
   EXPECT_GE(includes(sources("plugins").front()).size(), 1u);
 }
 
@@ -48,19 +50,37 @@ TEST(Arrows, LeadFromTheKernelToNobody) {
             << source.path << " includes " << i.file;
       }
       EXPECT_EQ(i.file.find(".."), std::string::npos) << source.path;
-      EXPECT_EQ(i.file.find("explorer/"), std::string::npos) << source.path;
-      EXPECT_EQ(i.file.find("plugins/"), std::string::npos) << source.path;
+      for (const char* folder : {"explorer/", "optimizers/", "plugins/"})
+        EXPECT_EQ(i.file.find(folder), std::string::npos) << source.path;
     }
   }
 }
 
 TEST(Arrows, LeadFromPublicHeadersToPublicHeaders) {
-  for (const Source& source : sources("kernel/include")) {
+  const auto check = [](const std::string& room,
+                        const std::vector<std::string>& folders) {
+    for (const Source& source : sources(room)) {
+      for (const Include& i : includes(source)) {
+        const bool public_header = starts(i.file, "delos/") && is_own(i, {}, folders);
+        EXPECT_TRUE(public_header || is_standard(i) || is_eigen(i))
+            << source.path << " includes " << i.file;
+      }
+    }
+  };
+  check("kernel/include", {"kernel/include"});
+  check("optimizers/include", {"kernel/include", "optimizers/include"});
+}
+
+/// Searches use the kernel as anybody could, and know nothing of the program.
+TEST(Arrows, LeadFromTheOptimizersToPublicHeaders) {
+  for (const Source& source : sources("optimizers")) {
     for (const Include& i : includes(source)) {
-      const bool public_header =
-          starts(i.file, "delos/") && is_own(i, {}, {"kernel/include"});
-      EXPECT_TRUE(public_header || is_standard(i) || is_eigen(i))
+      if (!i.quoted) continue;
+      EXPECT_TRUE(
+          is_own(i, source, {"kernel/include", "optimizers/include", "optimizers"}))
           << source.path << " includes " << i.file;
+      EXPECT_EQ(i.file.find(".."), std::string::npos) << source.path;
+      EXPECT_EQ(i.file.find("explorer/"), std::string::npos) << source.path;
     }
   }
 }
@@ -77,12 +97,13 @@ TEST(Arrows, LeadFromPluginsToPublicHeaders) {
   }
 }
 
-/// The program uses the kernel as anybody could: by its public headers.
+/// The program uses kernel and searches as anybody could: by their public headers.
 TEST(Arrows, LeadFromTheExplorerToPublicHeaders) {
   for (const Source& source : sources("explorer")) {
     for (const Include& i : includes(source)) {
       if (!i.quoted) continue;
-      EXPECT_TRUE(is_own(i, source, {"kernel/include", "explorer"}))
+      EXPECT_TRUE(
+          is_own(i, source, {"kernel/include", "optimizers/include", "explorer"}))
           << source.path << " includes " << i.file;
       EXPECT_EQ(i.file.find(".."), std::string::npos) << source.path;
     }
@@ -105,9 +126,11 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/scene/"}},
       {"OpenMP", std::regex("omp\\.h"), {"kernel/src/field/"}},
       {"CLI11", std::regex("CLI/.*"), {"explorer/cli/"}},
+      {"NLopt", std::regex("nlopt\\.h.*"), {"optimizers/nlopt/"}},
+      {"SQLite", std::regex("sqlite.*"), {"optimizers/study/"}},
   };
   std::vector<Source> all = sources("kernel");
-  for (const char* folder : {"plugins", "explorer"}) {
+  for (const char* folder : {"plugins", "optimizers", "explorer"}) {
     for (Source& source : sources(folder)) all.push_back(std::move(source));
   }
   for (const Home& home : homes) {

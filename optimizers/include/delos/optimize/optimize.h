@@ -1,0 +1,107 @@
+// Searches: better values for the variables of a scene.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "delos/optimize/problem.h"
+
+namespace delos {
+
+/// Which evaluation of a search this is: the same in every run of the same search.
+struct EvaluationKey {
+  int start = 0;   ///< which start of the search
+  int number = 0;  ///< counted from 0 within the start
+};
+
+/// What an evaluation gave.
+struct EvaluationRecord {
+  double width = 0;  ///< softness of edges, 0: hard
+  Score score;
+  std::vector<double> slope, slopes;  ///< empty where none were asked for
+};
+
+/// Remembers evaluations, so that a search can be taken up again. Safe to call from
+/// several threads.
+class EvaluationLedger {
+ public:
+  virtual ~EvaluationLedger() = default;
+  /// @returns true, and the record, where this evaluation was made at this point before
+  virtual bool recall(const EvaluationKey& key, std::span<const double> x,
+                      EvaluationRecord& record) = 0;
+  /// Called before the search uses the record.
+  virtual void remember(const EvaluationKey& key, std::span<const double> x,
+                        const EvaluationRecord& record) = 0;
+};
+
+/// How far a search is.
+struct SearchProgress {
+  std::size_t evaluations = 0, of = 0;
+  double best = 0;  ///< least hard objective of a feasible point so far; ∞: none yet
+};
+
+/// How to search.
+struct OptimizeOptions {
+  std::string algorithm = "auto";  ///< or one of algorithm_names()
+  int evaluations = 0;             ///< at most so many; 0: by the problem's size
+  int starts = 0;                  ///< 0: by the algorithm
+  std::uint64_t seed = 1;
+  int threads = 0;             ///< 0: one a core
+  std::size_t samples = 1500;  ///< looked at while searching
+  const std::atomic<bool>* cancel = nullptr;
+  /// Called now and then, from any thread but never from two at once.
+  std::function<void(const SearchProgress&)> progress;
+  EvaluationLedger* ledger = nullptr;
+};
+
+/// How a search ended.
+enum class SearchStop {
+  converged,   ///< every start came to its end
+  budget,      ///< the evaluations are spent
+  cancelled,   ///< asked to stop; the best so far is reported
+  infeasible,  ///< no design was found that keeps all constraints
+};
+[[nodiscard]] const char* to_string(SearchStop stop);
+
+/// Whether a constraint is kept.
+struct ConstraintReport {
+  std::string name;
+  bool satisfied = false;
+  double slack = 0;  ///< least of its limits, SI; below 0: so much is missing
+};
+
+/// What came of a search. Scores are hard, on all samples of the scene.
+struct OptimizeResult {
+  std::vector<double> initial_x, best_x;  ///< in the unit cube
+  Score initial, best;
+  Field initial_field, best_field;  ///< of the scene's metric
+  Scene initial_scene;              ///< as it was given
+  Scene scene;                      ///< with the best values
+  std::vector<ConstraintReport> constraints;
+  std::vector<std::string> messages;  ///< what was repaired, for the user
+  std::string algorithm;
+  SearchStop stop = SearchStop::converged;
+  std::size_t evaluations = 0, gradient_evaluations = 0;
+  double seconds = 0;
+};
+
+[[nodiscard]] std::vector<std::string> algorithm_names();
+
+/// Search for the least objective that keeps all constraints.
+///
+/// With slopes: from each start, SLSQP (CCSA for many variables) over edges that are
+/// 0.3, 0.1, 0.03, 0.01 and 0 rad wide; every stage's end is scored hard. Without:
+/// BOBYQA, or COBYLA where there are limits. Starts: the scene as it stands, then
+/// random ones, half of them near it, all by the seed. The best is scored on all
+/// samples.
+/// @throws std::invalid_argument one sentence: nothing to change, a method that doesn't
+///         fit, or constraints that contradict each other, by name
+[[nodiscard]] OptimizeResult optimize(const Scene& scene, PluginRegistry& plugins,
+                                      const OptimizeOptions& options);
+
+}  // namespace delos

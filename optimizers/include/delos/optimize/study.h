@@ -1,0 +1,103 @@
+// A search that is kept in a file: interrupted, resumed, steered.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "delos/optimize/optimize.h"
+
+namespace delos {
+
+/// What a study is begun with.
+struct StudyPlan {
+  std::string algorithm = "auto";
+  int evaluations = 0;
+  int starts = 0;
+  std::uint64_t seed = 1;
+  std::size_t samples = 1500;
+};
+
+/// Something a person did to a study.
+struct StudyAct {
+  int number = 0;
+  int after_round = 0;   ///< it holds from the next round on
+  std::string verb;      ///< lock, unlock, set, forbid, undo, extend
+  std::string argument;  ///< as written
+};
+
+/// One search within a study: acts end a round and begin the next.
+struct StudyRound {
+  int number = 0;
+  bool ended = false;
+  std::size_t evaluations = 0;   ///< kept in the file
+  double initial = 0, best = 0;  ///< objective on all samples; of an ended round
+};
+
+/// Everything that a study holds but its evaluations.
+struct StudySummary {
+  std::string scene;  ///< its name
+  StudyPlan plan;
+  std::vector<std::string> locked;  ///< variables that don't change
+  std::vector<StudyRound> rounds;
+  std::vector<StudyAct> acts;
+  std::vector<StudyAct> waiting;  ///< acts since the last round began
+};
+
+/// A file that holds scenes, every evaluation before it is used, and every act. One
+/// process searches at a time; others may look and act meanwhile.
+class Study {
+ public:
+  /// Begin one. @throws std::runtime_error the file exists, or can't be made
+  static Study create(const std::filesystem::path& file, const Scene& scene,
+                      const std::filesystem::path& folder, const StudyPlan& plan,
+                      PluginRegistry& plugins);
+  /// @throws std::runtime_error there is none, or it isn't one
+  Study(const std::filesystem::path& file, PluginRegistry& plugins);
+  Study(Study&&) noexcept;
+  ~Study();
+
+  [[nodiscard]] StudySummary summary() const;
+
+  /// The scene of a round with its best values; of a round that hasn't ended, with
+  /// those it began with. 0: the scene as it was given. −1: the last round.
+  /// @throws std::invalid_argument there is no such round
+  [[nodiscard]] Scene scene(int round = -1) const;
+
+  /// Journal an act, for a search that runs or for the next one.
+  ///
+  ///   lock PATTERN · unlock PATTERN     variables, by path; * is any part of a name
+  ///   set PATH=VALUE                    anything of the scene, as --set
+  ///   forbid X,Y,Z X,Y,Z                a box that no device may enter
+  ///   undo                              the last act that isn't undone
+  ///   extend N                          N more evaluations from the best so far
+  ///
+  /// @throws std::invalid_argument what is wrong with it; nothing is journalled then
+  void act(const std::string& verb, const std::string& argument);
+
+  /// Ask a search that runs to stop, with its best so far; resumed, it goes on as if it
+  /// hadn't been.
+  void pause();
+
+  /// Where relative paths of the scene start.
+  [[nodiscard]] std::filesystem::path folder() const;
+
+  /// Search until the rounds have come to their end; continues what was interrupted,
+  /// with the same result as if it hadn't been. Acts of others end a round within a few
+  /// evaluations.
+  /// @param options its cancel, progress and threads are used
+  /// @throws std::runtime_error another process is searching; or the disk is full, …
+  /// @throws std::invalid_argument as optimize()
+  OptimizeResult run(const OptimizeOptions& options);
+
+  /// Everything as text, for people and to compare: the same study gives the same
+  /// bytes.
+  [[nodiscard]] std::string dump() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace delos

@@ -1,0 +1,219 @@
+#include "delos/optimize/optimize.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+#include "feasible.h"
+#include "nlopt/solver.h"
+#include "start.h"
+
+namespace delos {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Evaluations of a stage with slopes, where nobody says.
+constexpr int kStageEvaluations = 60;
+/// More variables than this are too many for SLSQP, whose steps cost n³.
+constexpr std::size_t kManyVariables = 100;
+
+Plan plan_of(const OptimizeOptions& options, Problem& problem) {
+  Plan plan;
+  const std::size_t n = problem.design().size();
+  const bool slopes = problem.slope_problem().empty();
+  plan.algorithm = options.algorithm;
+  if (options.algorithm == "auto") {
+    plan.algorithm = slopes ? (n > kManyVariables ? "ccsa" : "slsqp")
+                     : !problem.limits().empty() || n < 2 ? "cobyla"
+                                                          : "bobyqa";
+  }
+  const auto names = solver_names();
+  if (std::find(names.begin(), names.end(), plan.algorithm) == names.end())
+    throw std::invalid_argument("there is no algorithm '" + plan.algorithm + "'");
+  plan.traits = solver_traits(plan.algorithm);
+  if (plan.traits.slopes && !slopes)
+    throw std::invalid_argument(plan.algorithm + " needs derivatives, but " +
+                                problem.slope_problem() +
+                                "; use cobyla, bobyqa, crs2 or isres");
+  if (plan.algorithm == "bobyqa" && n < 2)
+    throw std::invalid_argument("bobyqa needs two variables or more; use cobyla");
+  plan.starts = options.starts > 0 ? options.starts : plan.traits.global ? 1 : 4;
+  const int whole = static_cast<int>(std::size(kWidths)) * kStageEvaluations;
+  const int by_size = 50 * static_cast<int>(n) + 200;
+  plan.per_start = options.evaluations > 0
+                       ? std::max(options.evaluations / plan.starts, 4)
+                   : plan.traits.global ? 4 * by_size
+                   : plan.traits.slopes ? whole
+                                        : by_size;
+  return plan;
+}
+
+/// The scene as it stands, then random points: half of them near it.
+std::vector<double> start_of(const std::vector<double>& given, int index,
+                             std::uint64_t seed) {
+  if (index == 0) return given;
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed),
+                         static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(index)};
+  std::mt19937_64 random(sequence);
+  // Not std::uniform_real_distribution, whose numbers differ between libraries.
+  const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  std::vector<double> x = given;
+  for (double& value : x)
+    value =
+        index % 2 == 1 ? std::clamp(value + 0.3 * (unit() - 0.5), 0.0, 1.0) : unit();
+  return x;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<ConstraintReport> report(Problem& problem, const Score& score) {
+  std::vector<ConstraintReport> all;
+  for (const ConstraintEntry& entry : problem.design().scene().constraints)
+    all.push_back({entry.name, true, kInfinity});
+  for (std::size_t i = 0; i < problem.limits().size(); ++i) {
+    ConstraintReport& one = all[problem.limits()[i].constraint];
+    one.slack = std::min(one.slack, score.slacks[i]);
+    one.satisfied = one.slack >= 0;
+  }
+  return all;
+}
+
+/// Run all starts, several at once, each on a problem of its own.
+std::vector<std::vector<double>> run_starts(
+    const Scene& scene, PluginRegistry& plugins, const OptimizeOptions& options,
+    const Plan& plan, const std::vector<std::vector<double>>& starts, Shared& shared,
+    bool& spent) {
+  const int threads =
+      options.threads > 0
+          ? options.threads
+          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int workers = std::min<int>(threads, static_cast<int>(starts.size()));
+  const ProblemOptions each{options.samples, std::max(1, threads / workers)};
+  std::vector<std::unique_ptr<Problem>> problems;
+  for (int w = 0; w < workers; ++w)
+    problems.push_back(std::make_unique<Problem>(scene, plugins, each));
+
+  std::vector<std::vector<double>> ends(starts.size());
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  std::atomic<bool> any_spent = false;
+  const auto work = [&](int worker) {
+    for (std::size_t k = next++; k < starts.size(); k = next++) {
+      try {
+        Start start(*problems[static_cast<std::size_t>(worker)], options, plan,
+                    static_cast<int>(k), shared);
+        ends[k] = start.run(starts[k]);
+        if (start.spent()) any_spent = true;
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = starts.size();
+      }
+    }
+  };
+  std::vector<std::thread> team;
+  for (int w = 1; w < workers; ++w) team.emplace_back(work, w);
+  work(0);
+  for (std::thread& t : team) t.join();
+  if (failure) std::rethrow_exception(failure);
+  spent = any_spent;
+  return ends;
+}
+
+}  // namespace
+
+const char* to_string(SearchStop stop) {
+  switch (stop) {
+    case SearchStop::converged:
+      return "converged";
+    case SearchStop::budget:
+      return "budget";
+    case SearchStop::cancelled:
+      return "cancelled";
+    case SearchStop::infeasible:
+      return "infeasible";
+  }
+  return "";
+}
+
+std::vector<std::string> algorithm_names() {
+  std::vector<std::string> names = solver_names();
+  names.insert(names.begin(), "auto");
+  return names;
+}
+
+OptimizeResult optimize(const Scene& scene, PluginRegistry& plugins,
+                        const OptimizeOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  Problem whole(scene, plugins, {0, options.threads});
+  const Plan plan = plan_of(options, whole);
+  OptimizeResult result;
+  result.algorithm = plan.algorithm;
+  result.initial_scene = scene;
+  result.messages = whole.design().repairs();
+
+  std::vector<std::vector<double>> starts;
+  for (int k = 0; k < plan.starts; ++k) {
+    const Repair repaired =
+        repair(whole, start_of(whole.design().start(), k, options.seed));
+    if (k == 0 && !repaired.feasible)
+      throw std::invalid_argument(
+          "no design keeps all of: " + joined(repaired.violated) +
+          "; at least one of them must give way");
+    if (k == 0 && repaired.moved)
+      result.messages.push_back("the scene as it stands doesn't keep " +
+                                joined(repaired.violated) +
+                                "; the search starts at the nearest design that does");
+    if (repaired.feasible) starts.push_back(repaired.x);
+  }
+
+  Shared shared(options, static_cast<std::size_t>(plan.per_start) * starts.size());
+  bool spent = false;
+  const auto ends = run_starts(scene, plugins, options, plan, starts, shared, spent);
+
+  // Judge all ends on all samples, and never leave with less than there was.
+  result.initial_x = whole.design().start();
+  result.initial = whole.score(result.initial_x);
+  result.best_x = starts.front();
+  result.best = whole.score(result.best_x);
+  for (const std::vector<double>& x : ends) {
+    if (x.empty()) continue;
+    const Score score = whole.score(x);
+    if (!better(score, result.best, whole.limits())) continue;
+    result.best = score;
+    result.best_x = x;
+  }
+  if (better(result.initial, result.best, whole.limits())) {
+    result.best = result.initial;
+    result.best_x = result.initial_x;
+  }
+  result.constraints = report(whole, result.best);
+  result.initial_field = whole.field(result.initial_x);
+  result.best_field = whole.field(result.best_x);
+  result.scene = whole.design().scene();
+  const bool cancelled = options.cancel && options.cancel->load();
+  result.stop = !result.best.feasible() ? SearchStop::infeasible
+                : cancelled             ? SearchStop::cancelled
+                : spent                 ? SearchStop::budget
+                                        : SearchStop::converged;
+  result.evaluations = shared.evaluations();
+  result.gradient_evaluations = shared.gradient_evaluations();
+  result.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace delos

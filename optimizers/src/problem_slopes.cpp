@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "problem_state.h"
+
+namespace delos {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Steps of differences, in the unit cube.
+constexpr double kPoseStep = 1e-6;
+constexpr double kLayerStep = 1e-5;
+/// s of soft_worst().
+constexpr double kWorstSharpness = 60;
+
+/// R_to R_fromᵀ = exp([φ]×) for a small φ.
+Eigen::Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  const Eigen::Matrix3d turn = to * from.transpose();
+  return Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0),
+                         turn(1, 0) - turn(0, 1)) /
+         2;
+}
+
+}  // namespace
+
+double soft_worst(const MetricLimit& limit, const std::vector<double>& values,
+                  double* slopes) {
+  double worst = -kInfinity;
+  for (const std::size_t i : limit.samples)
+    worst = std::max(worst, limit.sign * values[i]);
+  const double scale = std::abs(limit.limit) / kWorstSharpness;
+  double sum = 0;
+  for (const std::size_t i : limit.samples)
+    sum += std::exp((limit.sign * values[i] - worst) / scale);
+  if (slopes) {
+    for (const std::size_t i : limit.samples)
+      slopes[i] = limit.sign * std::exp((limit.sign * values[i] - worst) / scale) / sum;
+  }
+  return worst + scale * std::log(sum);
+}
+
+void Problem::State::soft_values(std::span<const double> x, double width, Score& out) {
+  out = {kInfinity, std::vector<double>(limits.size(), -kInfinity)};
+  try {
+    build(x);
+  } catch (const std::exception&) {
+    return;
+  }
+  values = soft->evaluate(system, width);
+  out.objective = objective(values, true, nullptr);
+  geometry.slacks(scene(), out.slacks.data());
+  metric_slacks(values, true, out.slacks.data() + geometry.limits().size());
+}
+
+Score Problem::soft_score(std::span<const double> x, double width) {
+  Score score;
+  state_->soft_values(x, width, score);
+  return score;
+}
+
+/// ∂J/∂x of variables that touch single devices, from those of poses and layers.
+void Problem::State::chain(std::span<const double> x,
+                           const std::vector<PoseSlope>& poses, double* out) {
+  std::vector<PlacedDevice> changed;
+  for (std::size_t v = 0; v < design.size(); ++v) {
+    out[v] = 0;
+    if (touched[v].all) continue;
+    for (const std::size_t i : touched[v].poses) {
+      const DeviceEntry& entry = scene().devices[i];
+      design.set(v, x[v] + kPoseStep);
+      const Pose to = device_pose(scene(), entry);
+      design.set(v, x[v] - kPoseStep);
+      const Pose from = device_pose(scene(), entry);
+      PoseSlope along;
+      along << to.p - from.p, turn_between(from.R, to.R);
+      out[v] += poses[i].dot(along) / (2 * kPoseStep);
+    }
+    for (const std::size_t i : touched[v].layers) {
+      // Within the bounds, beyond which a device may not exist.
+      const double up = std::min(x[v] + kLayerStep, 1.0),
+                   down = std::max(x[v] - kLayerStep, 0.0);
+      const auto contraction = [&](double at) {
+        design.set(v, at);
+        PlacedDevice device = system.devices[i];
+        device.params = scene().devices[i].params;
+        device.device = make_device(*plugins.find(device.type).info, device.params);
+        return soft->contraction(i, device);
+      };
+      out[v] += (contraction(up) - contraction(down)) / (up - down);
+    }
+    design.set(v, x[v]);
+  }
+}
+
+/// Variables that touch more than single devices: two fields each.
+void Problem::State::slopes_by_differences(std::span<const double> x, double width,
+                                           double* slope, double* slopes) {
+  std::vector<double> at(x.begin(), x.end());
+  const std::size_t n = design.size();
+  for (std::size_t v = 0; v < n; ++v) {
+    if (!touched[v].all) continue;
+    const double up = std::min(x[v] + kLayerStep, 1.0),
+                 down = std::max(x[v] - kLayerStep, 0.0);
+    Score to, from;
+    at[v] = up;
+    soft_values(at, width, to);
+    at[v] = down;
+    soft_values(at, width, from);
+    at[v] = x[v];
+    slope[v] = (to.objective - from.objective) / (up - down);
+    for (std::size_t i = geometry.limits().size(); i < limits.size(); ++i)
+      slopes[i * n + v] = (to.slacks[i] - from.slacks[i]) / (up - down);
+  }
+}
+
+Score Problem::score_with_slopes(std::span<const double> x, double width, double* slope,
+                                 double* slopes) {
+  State& s = *state_;
+  const std::size_t n = s.design.size(), first = s.geometry.limits().size();
+  std::fill_n(slope, n, 0.0);
+  std::fill_n(slopes, s.limits.size() * n, 0.0);
+  Score score;
+  const bool differences = std::any_of(s.touched.begin(), s.touched.end(),
+                                       [](const Touched& t) { return t.all; });
+  s.soft_values(x, width, score);
+  if (!std::isfinite(score.objective)) return score;
+  const std::vector<std::vector<double>> values = s.values;
+  const std::vector<std::vector<double>> zero(
+      s.metrics.size(), std::vector<double>(s.samples.set.size()));
+  auto of_values = zero;
+  s.objective(values, true, &of_values);
+  s.soft->adjoin(of_values);
+  s.chain(x, s.soft->pose_slopes(), slope);
+  for (std::size_t k = 0; k < s.metric_limits.size(); ++k) {
+    const MetricLimit& limit = s.metric_limits[k];
+    of_values = zero;
+    soft_worst(limit, values[limit.metric], of_values[limit.metric].data());
+    for (double& w : of_values[limit.metric]) w = -w;
+    s.soft->adjoin(of_values);
+    s.chain(x, s.soft->pose_slopes(), slopes + (first + k) * n);
+  }
+
+  // Places are cheap: differences of the slacks themselves.
+  std::vector<double> up(first), down(first);
+  for (std::size_t v = 0; first > 0 && v < n; ++v) {
+    s.design.set(v, x[v] + kPoseStep);
+    s.geometry.slacks(s.scene(), up.data());
+    s.design.set(v, x[v] - kPoseStep);
+    s.geometry.slacks(s.scene(), down.data());
+    s.design.set(v, x[v]);
+    for (std::size_t i = 0; i < first; ++i)
+      slopes[i * n + v] = (up[i] - down[i]) / (2 * kPoseStep);
+  }
+  if (differences) s.slopes_by_differences(x, width, slope, slopes);
+  return score;
+}
+
+}  // namespace delos

@@ -1,0 +1,90 @@
+// What a problem holds. Its scores stand in problem.cpp, its slopes in
+// problem_slopes.cpp.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "delos/field/soft_field.h"
+#include "delos/optimize/problem.h"
+#include "limits.h"
+#include "search_samples.h"
+
+namespace delos {
+
+/// A term of the objective, ready to be reduced.
+struct Term {
+  ObjectiveTerm term;
+  std::size_t metric;
+  std::vector<double> weights;
+};
+
+/// A limit on a metric.
+struct MetricLimit {
+  std::size_t constraint;
+  std::size_t metric;
+  double limit;
+  double sign;  ///< 1: at most, −1: at least
+  std::vector<std::size_t> samples;
+};
+
+/// What a variable changes.
+struct Touched {
+  std::vector<std::size_t> poses, layers;  ///< devices that move; that are others
+  bool all = false;                        ///< more than single devices
+};
+
+/// The softened worst of a limit's values: (M/s) log Σ exp(s c/M), M the limit.
+/// @param[out] slopes one a sample, or null
+[[nodiscard]] double soft_worst(const MetricLimit& limit,
+                                const std::vector<double>& values, double* slopes);
+
+struct Problem::State {
+  State(const Scene& scene, PluginRegistry& registry, const ProblemOptions& given)
+      : plugins(registry), options(given), design(scene, registry), geometry(design) {}
+
+  PluginRegistry& plugins;
+  ProblemOptions options;
+  Design design;
+  GeometryLimits geometry;
+  SearchSamples samples;
+  std::vector<Metric> metrics;
+  std::vector<Term> terms;
+  std::vector<MetricLimit> metric_limits;
+  std::vector<Limit> limits;
+  std::vector<Touched> touched;
+  std::string slope_problem;
+  System system;                                    // as last built, without the guess
+  std::optional<InformationLayers> guessed, plain;  // with and without the guess
+  std::unique_ptr<SoftField> soft;
+  std::vector<std::vector<double>> values;  // of the soft field last evaluated
+
+  [[nodiscard]] const Scene& scene() const { return design.scene(); }
+
+  std::size_t metric_index(const std::string& name);
+  void read_objective();
+  void read_limits();
+  void find_touched();
+  void build(std::span<const double> x);
+  [[nodiscard]] FieldOptions field_options() const {
+    FieldOptions all;
+    all.threads = options.threads;
+    all.find_inside = false;
+    return all;
+  }
+
+  std::vector<std::vector<double>> hard_values(bool with_guess);
+  double objective(const std::vector<std::vector<double>>& values, bool is_soft,
+                   std::vector<std::vector<double>>* slopes) const;
+  void metric_slacks(const std::vector<std::vector<double>>& values, bool is_soft,
+                     double* out) const;
+  void soft_values(std::span<const double> x, double width, Score& out);
+  void chain(std::span<const double> x, const std::vector<PoseSlope>& poses,
+             double* out);
+  void slopes_by_differences(std::span<const double> x, double width, double* slope,
+                             double* slopes);
+};
+
+}  // namespace delos

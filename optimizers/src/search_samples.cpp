@@ -1,0 +1,106 @@
+#include "search_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace delos {
+namespace {
+
+/// Samples along the longest side of an adaptive box where all are wanted.
+constexpr int kFine = 36;
+
+/// Points that fill a box evenly: the R₃ sequence, x_k = frac(k/g, k/g², k/g³) with
+/// g⁴ = g + 1. Source: Roberts (2018), The unreasonable effectiveness of quasirandom
+/// sequences.
+std::vector<Eigen::Vector3d> spread(const AdaptiveSampling& box, std::size_t count) {
+  constexpr double kG = 1.2207440846057596;
+  const Eigen::Array3d step(1 / kG, 1 / (kG * kG), 1 / (kG * kG * kG));
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t k = 1; k <= count; ++k) {
+    const Eigen::Array3d x = 0.5 + static_cast<double>(k) * step;
+    const Eigen::Array3d part = x - x.floor();
+    points.push_back(box.min + (part * (box.max - box.min).array()).matrix());
+  }
+  return points;
+}
+
+std::vector<Eigen::Vector3d> grid(const AdaptiveSampling& box) {
+  const double step = (box.max - box.min).maxCoeff() / kFine;
+  return make_samples(
+             {{"", VolumeSampling{box.min, box.max, Eigen::Vector3d::Constant(step)}}})
+      .points;
+}
+
+/// `most` of n indices, spread over them without the period of a grid.
+std::vector<std::size_t> thinned(std::size_t n, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  if (most == 0 || n <= most) {
+    for (std::size_t i = 0; i < n; ++i) chosen.push_back(i);
+    return chosen;
+  }
+  constexpr double kGolden = 0.6180339887498949;
+  std::vector<bool> taken(n);
+  for (std::size_t k = 0; chosen.size() < most; ++k) {
+    const double x = 0.5 + static_cast<double>(k) * kGolden;
+    const auto i =
+        static_cast<std::size_t>((x - std::floor(x)) * static_cast<double>(n));
+    if (taken[i]) continue;
+    taken[i] = true;
+    chosen.push_back(i);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+}  // namespace
+
+SearchSamples search_samples(const Scene& scene, std::size_t most) {
+  std::vector<std::vector<Eigen::Vector3d>> sets;
+  std::size_t total = 0;
+  for (const SampleSet& set : scene.samples) {
+    if (const auto* box = std::get_if<AdaptiveSampling>(&set.shape))
+      sets.push_back(most > 0 ? spread(*box, most) : grid(*box));
+    else
+      sets.push_back(make_samples({set}).points);
+    total += sets.back().size();
+  }
+  SearchSamples out;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const std::size_t n = sets[s].size();
+    // A small set keeps some samples beside a large one.
+    const std::size_t share =
+        most > 0 && total > most ? std::max<std::size_t>(n * most / total, 32) : 0;
+    const auto chosen = thinned(n, share);
+    out.samples.parts.push_back({scene.samples[s].name, out.samples.points.size(),
+                                 chosen.size(), ScatteredShape{}});
+    for (const std::size_t i : chosen) {
+      out.samples.points.push_back(sets[s][i]);
+      out.set.push_back(s);
+      out.multiplicity.push_back(static_cast<double>(n) /
+                                 static_cast<double>(chosen.size()));
+    }
+  }
+  return out;
+}
+
+std::vector<double> term_weights(const ObjectiveTerm& term, const Scene& scene,
+                                 const SearchSamples& samples,
+                                 const std::vector<unsigned char>& inside) {
+  std::vector<double> weights(samples.set.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    double weight = term.over.empty() ? 1 : 0;
+    for (const WeightedSet& set : term.over)
+      if (set.name == scene.samples[samples.set[i]].name) weight = set.weight;
+    if (!inside.empty() && inside[i]) weight = 0;
+    weights[i] = weight * samples.multiplicity[i];
+    sum += weights[i];
+  }
+  if (!(sum > 0))
+    throw std::invalid_argument("the objective has no sample outside solids");
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+}  // namespace delos

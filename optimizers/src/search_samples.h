@@ -1,0 +1,27 @@
+// The samples that a search looks at.
+#pragma once
+
+#include <vector>
+
+#include "delos/sampling/samples.h"
+
+namespace delos {
+
+/// Samples, and what set of the scene each is of.
+struct SearchSamples {
+  Samples samples;
+  std::vector<std::size_t> set;  ///< one a sample
+  std::vector<double>
+      multiplicity;  ///< one a sample: how many of its set it stands for
+};
+
+/// @param most thin sets evenly to about so many samples; 0: all
+/// Adaptive sets become points spread evenly over their box: `most`, or a fine grid.
+[[nodiscard]] SearchSamples search_samples(const Scene& scene, std::size_t most);
+
+/// Weights of a term, one a sample, which sum to 1; 0 where `inside` a solid.
+[[nodiscard]] std::vector<double> term_weights(
+    const ObjectiveTerm& term, const Scene& scene, const SearchSamples& samples,
+    const std::vector<unsigned char>& inside);
+
+}  // namespace delos

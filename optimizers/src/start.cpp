@@ -1,0 +1,126 @@
+#include "start.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace delos {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Limits are searched with this room, in units of their scale, so that they hold.
+constexpr double kRoom = 1e-6;
+
+/// How much a score misses its limits, in units of their scales; 0: not at all.
+double violation(const Score& score, const std::vector<Limit>& limits) {
+  double worst = 0;
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    worst = std::max(worst, -score.slacks[i] / limits[i].scale);
+  return worst;
+}
+
+}  // namespace
+
+bool better(const Score& a, const Score& b, const std::vector<Limit>& limits) {
+  if (!std::isfinite(a.objective)) return false;
+  const double va = violation(a, limits), vb = violation(b, limits);
+  if (va > 0 || vb > 0) return va != vb ? va < vb : a.objective < b.objective;
+  return a.objective < b.objective;
+}
+
+template <class Evaluate>
+EvaluationRecord Start::remembered(std::span<const double> x, bool slopes,
+                                   Evaluate&& evaluate) {
+  EvaluationRecord record;
+  const EvaluationKey key{index_, number_++};
+  if (!options_.ledger || !options_.ledger->recall(key, x, record)) {
+    evaluate(record);
+    if (options_.ledger) options_.ledger->remember(key, x, record);
+  }
+  shared_.count(slopes);
+  return record;
+}
+
+Score Start::hard(std::span<const double> x) {
+  return remembered(x, false, [&](EvaluationRecord& r) { r.score = problem_.score(x); })
+      .score;
+}
+
+EvaluationRecord Start::soft(std::span<const double> x, double width) {
+  return remembered(x, true, [&](EvaluationRecord& r) {
+    r.width = width;
+    r.slope.resize(x.size());
+    r.slopes.resize(problem_.limits().size() * x.size());
+    r.score = problem_.score_with_slopes(x, width, r.slope.data(), r.slopes.data());
+  });
+}
+
+void Start::note() {
+  if (best_score_.feasible()) shared_.found(best_score_.objective);
+}
+void Start::take(std::span<const double> x, const Score& score) {
+  if (!better(score, best_score_, problem_.limits())) return;
+  best_.assign(x.begin(), x.end());
+  best_score_ = score;
+  note();
+}
+std::vector<double> Start::run(const std::vector<double>& from) {
+  best_ = from;
+  best_score_ = hard(from);
+  note();
+  const bool staged = plan_.traits.slopes;
+  std::vector<double> x = from;
+  const int stages = staged ? static_cast<int>(std::size(kWidths)) : 1;
+  for (int stage = 0; stage < stages && !cancelled(); ++stage) {
+    x = run_stage(x, staged ? kWidths[stage] : 0, plan_.per_start / stages);
+    if (!staged) break;
+    take(x, hard(x));
+  }
+  return best_;
+}
+
+/// @returns the best point of the stage by what the stage minimises
+std::vector<double> Start::run_stage(const std::vector<double>& from, double width,
+                                     int evaluations) {
+  std::vector<double> stage_best = from;
+  Score stage_score{kInfinity, std::vector<double>(problem_.limits().size(), -1e300)};
+  // Numbers of very different size make steps that are much too long or short.
+  double scale = 0;
+  BoxProblem box;
+  box.limits = problem_.limits().size();
+  box.evaluate = [&](std::span<const double> x, double* g, double* slope,
+                     double* g_slopes) {
+    EvaluationRecord record;
+    if (plan_.traits.slopes)
+      record = soft(x, width);
+    else
+      record.score = hard(x);
+    const Score& score = record.score;
+    if (better(score, stage_score, problem_.limits())) {
+      stage_best.assign(x.begin(), x.end());
+      stage_score = score;
+    }
+    if (!plan_.traits.slopes) take(x, score);
+    if (scale == 0 && std::isfinite(score.objective))
+      scale = std::max(std::abs(score.objective), 1e-300);
+    const std::size_t n = x.size();
+    for (std::size_t v = 0; slope && v < n; ++v) slope[v] = record.slope[v] / scale;
+    for (std::size_t i = 0; i < box.limits; ++i) {
+      const double unit = problem_.limits()[i].scale;
+      g[i] = kRoom - score.slacks[i] / unit;
+      for (std::size_t v = 0; g_slopes && v < n; ++v)
+        g_slopes[i * n + v] = -record.slopes[i * n + v] / unit;
+    }
+    return std::isfinite(score.objective) ? score.objective / scale : kInfinity;
+  };
+  SolverOptions solver;
+  solver.evaluations = evaluations;
+  solver.tolerance = plan_.traits.slopes && width > 0 ? 1e-5 : 1e-9;
+  solver.seed = options_.seed + static_cast<std::uint64_t>(index_);
+  solver.cancel = options_.cancel;
+  std::vector<double> x = from;
+  const SolverStop stop = minimize(plan_.algorithm, box, solver, x);
+  if (stop == SolverStop::budget) spent_ = true;
+  return stage_best;
+}
+
+}  // namespace delos

@@ -1,0 +1,105 @@
+// One start of a search, and what all starts share.
+#pragma once
+
+#include <limits>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "delos/optimize/optimize.h"
+#include "nlopt/solver.h"
+
+namespace delos {
+
+/// Widths of edges, radians, one a stage; at last they are as hard as they are judged.
+inline constexpr double kWidths[] = {0.3, 0.1, 0.03, 0.01, 0};
+
+/// A search as it was decided on.
+struct Plan {
+  std::string algorithm;
+  SolverTraits traits;
+  int starts = 1;
+  int per_start = 0;  ///< evaluations
+};
+
+/// What all starts of a search share.
+class Shared {
+ public:
+  explicit Shared(const OptimizeOptions& options, std::size_t of)
+      : options_(options), of_(of) {}
+
+  void count(bool slopes) {
+    const std::lock_guard lock(mutex_);
+    ++(slopes ? gradient_evaluations_ : evaluations_);
+    tell();
+  }
+  void found(double objective) {
+    const std::lock_guard lock(mutex_);
+    best_ = std::min(best_, objective);
+    tell();
+  }
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+  [[nodiscard]] std::size_t gradient_evaluations() const {
+    return gradient_evaluations_;
+  }
+
+ private:
+  void tell() {
+    if (options_.progress)
+      options_.progress({evaluations_ + gradient_evaluations_, of_, best_});
+  }
+
+  const OptimizeOptions& options_;
+  std::size_t of_;
+  std::mutex mutex_;
+  std::size_t evaluations_ = 0, gradient_evaluations_ = 0;
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+/// Whether one score is better than another: feasible first, then the objective.
+[[nodiscard]] bool better(const Score& a, const Score& b,
+                          const std::vector<Limit>& limits);
+
+/// One start of a search. What is passed is kept by reference.
+class Start {
+ public:
+  Start(Problem& problem, const OptimizeOptions& options, const Plan& plan, int index,
+        Shared& shared)
+      : problem_(problem),
+        options_(options),
+        plan_(plan),
+        index_(index),
+        shared_(shared) {}
+
+  /// @returns the best point by its hard score on the samples of the search
+  std::vector<double> run(const std::vector<double>& from);
+
+  /// Whether evaluations ran out before a stage had come to its end.
+  [[nodiscard]] bool spent() const { return spent_; }
+
+ private:
+  [[nodiscard]] bool cancelled() const {
+    return options_.cancel && options_.cancel->load();
+  }
+  template <class Evaluate>
+  EvaluationRecord remembered(std::span<const double> x, bool slopes,
+                              Evaluate&& evaluate);
+  Score hard(std::span<const double> x);
+  EvaluationRecord soft(std::span<const double> x, double width);
+  void note();
+  void take(std::span<const double> x, const Score& score);
+  std::vector<double> run_stage(const std::vector<double>& from, double width,
+                                int evaluations);
+
+  Problem& problem_;
+  const OptimizeOptions& options_;
+  const Plan& plan_;
+  int index_;
+  Shared& shared_;
+  int number_ = 0;
+  bool spent_ = false;
+  std::vector<double> best_;
+  Score best_score_;
+};
+
+}  // namespace delos

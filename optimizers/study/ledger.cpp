@@ -1,0 +1,52 @@
+#include "study/ledger.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace delos {
+
+DatabaseLedger::DatabaseLedger(const Database& database, int round,
+                               std::function<void()> watch)
+    : database_(database), round_(round), watch_(std::move(watch)) {}
+
+bool DatabaseLedger::recall(const EvaluationKey& key, std::span<const double> x,
+                            EvaluationRecord& record) {
+  const std::lock_guard lock(mutex_);
+  watch_();
+  Statement s = database_.prepare(
+      "SELECT x, width, objective, slacks, slope, slopes FROM evaluations WHERE "
+      "round = ? AND start = ? AND number = ?");
+  s.bind(1, std::int64_t{round_})
+      .bind(2, std::int64_t{key.start})
+      .bind(3, std::int64_t{key.number});
+  if (!s.step()) return false;
+  const std::vector<double> known = s.numbers(0);
+  if (!std::equal(known.begin(), known.end(), x.begin(), x.end()))
+    throw std::runtime_error(
+        "the study was made by another version or on another machine: its evaluation " +
+        std::to_string(key.number) + " of start " + std::to_string(key.start) +
+        " is elsewhere; begin a new study from its best design");
+  record.width = s.real(1);
+  record.score = {s.real(2), s.numbers(3)};
+  record.slope = s.numbers(4);
+  record.slopes = s.numbers(5);
+  return true;
+}
+
+void DatabaseLedger::remember(const EvaluationKey& key, std::span<const double> x,
+                              const EvaluationRecord& record) {
+  const std::lock_guard lock(mutex_);
+  database_.prepare("INSERT INTO evaluations VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .bind(1, std::int64_t{round_})
+      .bind(2, std::int64_t{key.start})
+      .bind(3, std::int64_t{key.number})
+      .bind(4, x)
+      .bind(5, record.width)
+      .bind(6, record.score.objective)
+      .bind(7, std::span<const double>(record.score.slacks))
+      .bind(8, std::span<const double>(record.slope))
+      .bind(9, std::span<const double>(record.slopes))
+      .step();
+}
+
+}  // namespace delos

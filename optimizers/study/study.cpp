@@ -1,0 +1,347 @@
+#include "delos/optimize/study.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+#include "delos/scene/io.h"
+#include "delos/scene/units.h"
+#include "study/acts.h"
+#include "study/database.h"
+#include "study/ledger.h"
+#include "study/run_lock.h"
+
+namespace delos {
+namespace {
+
+constexpr const char* kTables = R"(
+CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE rounds (
+  number INTEGER PRIMARY KEY, scene TEXT NOT NULL, locked TEXT NOT NULL,
+  acts INTEGER NOT NULL, evaluations INTEGER NOT NULL,
+  ended INTEGER NOT NULL DEFAULT 0, best_scene TEXT, initial REAL, best REAL);
+CREATE TABLE evaluations (
+  round INTEGER, start INTEGER, number INTEGER, x BLOB NOT NULL, width REAL NOT NULL,
+  objective REAL NOT NULL, slacks BLOB, slope BLOB, slopes BLOB,
+  PRIMARY KEY (round, start, number)) WITHOUT ROWID;
+CREATE TABLE acts (
+  number INTEGER PRIMARY KEY, after_round INTEGER NOT NULL, verb TEXT NOT NULL,
+  argument TEXT NOT NULL);
+)";
+constexpr const char* kFormat = "delos study 1";
+
+}  // namespace
+
+struct Study::State {
+  State(const std::filesystem::path& path, bool create, PluginRegistry& registry)
+      : file(path), database(path, create), plugins(registry) {}
+
+  std::filesystem::path file;
+  Database database;
+  PluginRegistry& plugins;
+
+  [[nodiscard]] std::string fact(const std::string& name) const {
+    Statement s = database.prepare("SELECT value FROM facts WHERE name = ?");
+    s.bind(1, name);
+    return s.step() ? s.text(0) : std::string();
+  }
+  void set_fact(const std::string& name, const std::string& value) {
+    database.prepare("INSERT INTO facts VALUES (?, ?)")
+        .bind(1, name)
+        .bind(2, value)
+        .step();
+  }
+
+  [[nodiscard]] StudyPlan plan() const {
+    StudyPlan plan;
+    plan.algorithm = fact("algorithm");
+    plan.starts = std::stoi(fact("starts"));
+    plan.evaluations = std::stoi(fact("evaluations"));
+    plan.seed = std::stoull(fact("seed"));
+    plan.samples = std::stoull(fact("samples"));
+    return plan;
+  }
+
+  [[nodiscard]] Scene parsed(const std::string& text) const {
+    Diagnostics findings;
+    const std::filesystem::path place =
+        std::filesystem::path(fact("folder")) / "scene.yaml";
+    auto scene = parse_scene(text, place, {}, plugins, findings);
+    if (!scene)
+      throw std::runtime_error(file.string() + ": " + to_string(findings.front()));
+    return *scene;
+  }
+
+  [[nodiscard]] int last_round() const {
+    Statement s = database.prepare("SELECT max(number) FROM rounds");
+    s.step();
+    return static_cast<int>(s.integer(0));
+  }
+  [[nodiscard]] int acts_so_far() const {
+    Statement s = database.prepare("SELECT coalesce(max(number), 0) FROM acts");
+    s.step();
+    return static_cast<int>(s.integer(0));
+  }
+
+  /// A round as it began, and where it got.
+  struct Round {
+    StudyPosition position;
+    int acts = 0, evaluations = 0;
+    bool ended = false;
+    std::string best_scene;
+  };
+  [[nodiscard]] Round round(int number) const {
+    Statement s = database.prepare(
+        "SELECT scene, locked, acts, evaluations, ended, best_scene FROM rounds "
+        "WHERE number = ?");
+    s.bind(1, std::int64_t{number});
+    if (!s.step())
+      throw std::invalid_argument("there is no round " + std::to_string(number));
+    Round round;
+    round.position.scene = parsed(s.text(0));
+    round.position.locked = lines_of(s.text(1));
+    round.acts = static_cast<int>(s.integer(2));
+    round.evaluations = static_cast<int>(s.integer(3));
+    round.ended = s.integer(4) != 0;
+    round.best_scene = s.text(5);
+    return round;
+  }
+  void begin_round(int number, const StudyPosition& position, int acts,
+                   int evaluations) {
+    database
+        .prepare(
+            "INSERT INTO rounds (number, scene, locked, acts, evaluations) "
+            "VALUES (?, ?, ?, ?, ?)")
+        .bind(1, std::int64_t{number})
+        .bind(2, write_scene(position.scene))
+        .bind(3, text_of(position.locked))
+        .bind(4, std::int64_t{acts})
+        .bind(5, std::int64_t{evaluations})
+        .step();
+  }
+
+  [[nodiscard]] std::vector<StudyAct> acts_from(int number) const {
+    Statement s = database.prepare(
+        "SELECT number, after_round, verb, argument FROM acts WHERE number > ? "
+        "ORDER BY number");
+    s.bind(1, std::int64_t{number});
+    std::vector<StudyAct> acts;
+    while (s.step())
+      acts.push_back({static_cast<int>(s.integer(0)), static_cast<int>(s.integer(1)),
+                      s.text(2), s.text(3)});
+    return acts;
+  }
+
+  /// Where the study stands: the last round, its best values, and the acts since.
+  [[nodiscard]] StudyPosition position() const {
+    const Round last = round(last_round());
+    StudyPosition now = last.position;
+    if (last.ended) now.scene = parsed(last.best_scene);
+    return after_acts(std::move(now), acts_from(last.acts), fact("folder"), plugins);
+  }
+
+  [[nodiscard]] bool asked_to_stop(const OptimizeOptions& options) const {
+    return (options.cancel && options.cancel->load()) || !fact("pause").empty();
+  }
+  OptimizeResult run_round(int number, const OptimizeOptions& options);
+};
+
+Study::Study(Study&&) noexcept = default;
+Study::~Study() = default;
+
+Study Study::create(const std::filesystem::path& file, const Scene& scene,
+                    const std::filesystem::path& folder, const StudyPlan& plan,
+                    PluginRegistry& plugins) {
+  if (std::filesystem::exists(file))
+    throw std::runtime_error(file.string() +
+                             " exists already; resume it, or choose another name");
+  // Made under another name, so that a study is whole or isn't there.
+  const std::filesystem::path unborn = file.string() + ".new";
+  std::filesystem::remove(unborn);
+  {
+    State state(unborn, true, plugins);
+    state.database.run("BEGIN IMMEDIATE");
+    state.database.run(kTables);
+    state.set_fact("format", kFormat);
+    state.set_fact("folder",
+                   std::filesystem::absolute(folder).lexically_normal().string());
+    state.set_fact("algorithm", plan.algorithm);
+    state.set_fact("evaluations", std::to_string(plan.evaluations));
+    state.set_fact("starts", std::to_string(plan.starts));
+    state.set_fact("seed", std::to_string(plan.seed));
+    state.set_fact("samples", std::to_string(plan.samples));
+    state.begin_round(1, {scene, {}}, 0, plan.evaluations);
+    state.database.run("COMMIT");
+  }
+  std::filesystem::rename(unborn, file);
+  return Study(file, plugins);
+}
+
+Study::Study(const std::filesystem::path& file, PluginRegistry& plugins) {
+  if (!std::filesystem::is_regular_file(file))
+    throw std::runtime_error("there is no study " + file.string());
+  state_ = std::make_unique<State>(file, false, plugins);
+  std::string format;
+  try {
+    format = state_->fact("format");
+  } catch (const std::runtime_error&) {
+    // Some other file, or a database of somebody else.
+  }
+  if (format != kFormat)
+    throw std::runtime_error(file.string() + " isn't a study that this version reads");
+}
+
+StudySummary Study::summary() const {
+  const State& s = *state_;
+  StudySummary all;
+  all.plan = s.plan();
+  Statement rounds = s.database.prepare(
+      "SELECT number, ended, initial, best, (SELECT count(*) FROM evaluations e WHERE "
+      "e.round = r.number) FROM rounds r ORDER BY number");
+  while (rounds.step())
+    all.rounds.push_back({static_cast<int>(rounds.integer(0)), rounds.integer(1) != 0,
+                          static_cast<std::size_t>(rounds.integer(4)), rounds.real(2),
+                          rounds.real(3)});
+  const State::Round last = s.round(s.last_round());
+  all.scene = last.position.scene.name;
+  all.acts = s.acts_from(0);
+  all.waiting = s.acts_from(last.acts);
+  all.locked = s.position().locked;
+  return all;
+}
+
+Scene Study::scene(int round) const {
+  const State& s = *state_;
+  if (round < 0) return s.position().scene;
+  const State::Round at = s.round(std::max(round, 1));
+  return round > 0 && at.ended ? s.parsed(at.best_scene) : at.position.scene;
+}
+
+void Study::act(const std::string& verb, const std::string& argument) {
+  State& s = *state_;
+  s.database.run("BEGIN IMMEDIATE");
+  try {
+    // Tried before it is journalled.
+    const int number = s.acts_so_far() + 1, after = s.last_round();
+    std::vector<StudyAct> acts = s.acts_from(s.round(after).acts);
+    acts.push_back({number, after, verb, argument});
+    const State::Round last = s.round(after);
+    StudyPosition now = last.position;
+    if (last.ended) now.scene = s.parsed(last.best_scene);
+    (void)after_acts(std::move(now), acts, s.fact("folder"), s.plugins);
+    s.database.prepare("INSERT INTO acts VALUES (?, ?, ?, ?)")
+        .bind(1, std::int64_t{number})
+        .bind(2, std::int64_t{after})
+        .bind(3, verb)
+        .bind(4, argument)
+        .step();
+    s.database.run("COMMIT");
+  } catch (...) {
+    s.database.run("ROLLBACK");
+    throw;
+  }
+}
+
+void Study::pause() {
+  state_->database.run("INSERT OR REPLACE INTO facts VALUES ('pause', 'asked')");
+}
+
+std::filesystem::path Study::folder() const { return state_->fact("folder"); }
+
+OptimizeResult Study::State::run_round(int number, const OptimizeOptions& options) {
+  const Round at = round(number);
+  const StudyPlan of_study = plan();
+  std::atomic<bool> stop = false;
+  DatabaseLedger ledger(database, number, [&] {
+    if (acts_so_far() > at.acts || asked_to_stop(options)) stop = true;
+  });
+  OptimizeOptions search = options;
+  search.algorithm = of_study.algorithm;
+  search.starts = of_study.starts;
+  search.evaluations = at.evaluations;
+  search.seed = of_study.seed;
+  search.samples = of_study.samples;
+  search.cancel = &stop;
+  search.ledger = &ledger;
+  Scene active = at.position.scene;
+  remove_locked(active, at.position.locked);
+  OptimizeResult result = optimize(active, plugins, search);
+  // Locked variables stand in the scene again.
+  result.scene.variables = at.position.scene.variables;
+
+  if (asked_to_stop(options) && acts_so_far() <= at.acts) return result;
+  database
+      .prepare(
+          "UPDATE rounds SET ended = 1, best_scene = ?, initial = ?, best = ? WHERE "
+          "number = ?")
+      .bind(1, write_scene(result.scene))
+      .bind(2, result.initial.objective)
+      .bind(3, result.best.objective)
+      .bind(4, std::int64_t{number})
+      .step();
+  return result;
+}
+
+OptimizeResult Study::run(const OptimizeOptions& options) {
+  State& s = *state_;
+  const RunLock lock(s.file);
+  s.database.run("DELETE FROM facts WHERE name = 'pause'");
+  for (;;) {
+    const int number = s.last_round();
+    const State::Round last = s.round(number);
+    const std::vector<StudyAct> acts = s.acts_from(last.acts);
+    if (last.ended && !acts.empty()) {
+      int evaluations = s.plan().evaluations;
+      for (const StudyAct& act : acts)
+        if (act.verb == "extend") evaluations = std::stoi(act.argument);
+      s.begin_round(number + 1, s.position(), acts.back().number, evaluations);
+      continue;
+    }
+    // A round that has ended is run again from what is remembered of it.
+    OptimizeResult result = s.run_round(number, options);
+    if (s.asked_to_stop(options) || s.acts_from(last.acts).empty()) return result;
+  }
+}
+
+std::string Study::dump() const {
+  const State& s = *state_;
+  std::ostringstream out;
+  Statement facts = s.database.prepare(
+      "SELECT name, value FROM facts WHERE name NOT IN ('folder', 'pause') ORDER BY "
+      "name");
+  while (facts.step()) out << facts.text(0) << ": " << facts.text(1) << "\n";
+  const auto list = [&](const std::vector<double>& numbers) {
+    out << " [";
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      out << (i > 0 ? " " : "") << shortest(numbers[i]);
+    out << "]";
+  };
+  Statement rounds = s.database.prepare(
+      "SELECT number, locked, acts, ended, scene, best_scene, initial, best FROM "
+      "rounds "
+      "ORDER BY number");
+  while (rounds.step()) {
+    out << "round " << rounds.integer(0) << " locked [" << rounds.text(1) << "] acts "
+        << rounds.integer(2) << " ended " << rounds.integer(3) << " initial "
+        << shortest(rounds.real(6)) << " best " << shortest(rounds.real(7)) << "\n"
+        << rounds.text(4) << "best:\n"
+        << rounds.text(5);
+  }
+  for (const StudyAct& act : s.acts_from(0))
+    out << "act " << act.number << " after " << act.after_round << ": " << act.verb
+        << " " << act.argument << "\n";
+  Statement evaluations = s.database.prepare(
+      "SELECT round, start, number, width, objective, x, slacks, slope, slopes FROM "
+      "evaluations ORDER BY round, start, number");
+  while (evaluations.step()) {
+    out << evaluations.integer(0) << "." << evaluations.integer(1) << "."
+        << evaluations.integer(2) << " width " << shortest(evaluations.real(3)) << " "
+        << shortest(evaluations.real(4));
+    for (int column = 5; column < 9; ++column) list(evaluations.numbers(column));
+    out << "\n";
+  }
+  return out.str();
+}
+
+}  // namespace delos

@@ -1,0 +1,126 @@
+// Slopes of objectives and constraints against central differences of the soft score
+// itself, on the scenes of scenes/.
+#include <cmath>
+#include <random>
+
+#include "delos/optimize/problem.h"
+#include "scenes/shipped.h"
+
+namespace delos::test {
+namespace {
+
+struct Case {
+  const char* scene;
+  const char* variables;
+  const char* objective = "{minimize: mean}";
+  std::vector<Override> more = {};
+  std::size_t samples = 120;
+};
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  std::string name = info.param.scene;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  return name + "_" + std::to_string(info.index);
+}
+
+class Slopes : public testing::TestWithParam<Case> {};
+
+// Steps of 2e-6 of the unit cube leave (h/width)² ~ 1e-8 and rounding ~1e-7: both are
+// below the tolerance, 1e-5 of the whole slope.
+TEST_P(Slopes, MatchCentralDifferences) {
+  const Case& c = GetParam();
+  std::vector<Override> changes = c.more;
+  changes.push_back({"variables", c.variables});
+  changes.push_back({"objective", c.objective});
+  const Scene scene = load(c.scene, changes);
+  Problem problem(scene, plugins(), {c.samples, 2});
+  ASSERT_EQ(problem.slope_problem(), "");
+  const std::size_t n = problem.design().size(), limits = problem.limits().size();
+  std::mt19937_64 random(1);
+  for (const double width : {0.3, 0.05}) {
+    // A point where no sample sits on a symmetry of the scene.
+    std::vector<double> x = problem.design().start();
+    for (double& value : x)
+      value = std::clamp(
+          value + 0.01 * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5), 0.01,
+          0.99);
+    std::vector<double> slope(n), slopes(n * limits);
+    const Score score =
+        problem.score_with_slopes(x, width, slope.data(), slopes.data());
+    ASSERT_TRUE(std::isfinite(score.objective));
+    const double size = Eigen::Map<Eigen::VectorXd>(slope.data(), n).norm();
+    EXPECT_GT(size, 0);
+    constexpr double kStep = 2e-6;
+    for (std::size_t v = 0; v < n; ++v) {
+      std::vector<double> at = x;
+      at[v] = x[v] + kStep;
+      const Score up = problem.soft_score(at, width);
+      at[v] = x[v] - kStep;
+      const Score down = problem.soft_score(at, width);
+      EXPECT_NEAR(slope[v], (up.objective - down.objective) / (2 * kStep), 1e-5 * size)
+          << scene.variables[v].path << " width " << width;
+      for (std::size_t i = 0; i < limits; ++i) {
+        const double of_limit = Eigen::Map<Eigen::VectorXd>(&slopes[i * n], n).norm();
+        EXPECT_NEAR(slopes[i * n + v], (up.slacks[i] - down.slacks[i]) / (2 * kStep),
+                    1e-5 * of_limit)
+            << "limit " << i << ", " << scene.variables[v].path;
+      }
+    }
+  }
+}
+
+constexpr const char* kPlaces =
+    "[{path: devices.*.at, lower: -6, upper: 7}, {path: devices.*.aim, lower: -6, "
+    "upper: 8}]";
+constexpr const char* kTurned =
+    "[{path: devices.*.at, lower: -6, upper: 6}, {path: devices.*.quaternion_wxyz}]";
+
+constexpr const char* kSpeakers =
+    "[{path: devices.s1.at.x, lower: -0.4, upper: 0.8, mirror: {path: devices.s4.at.x, "
+    "about: 0.2}}, {path: devices.s2.at, lower: -1, upper: 2}]";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Slopes,
+    testing::Values(
+        Case{"01-acoustic", "[{path: devices.*.at, lower: -1, upper: 2}]"},
+        Case{"01-acoustic",
+             "[{path: devices.*.at, lower: -1, upper: 2}, {path: devices.s1.params.r, "
+             "lower: 0.001, upper: 0.1}]",
+             "{minimize: p_norm, of: sigma_position}"},
+        Case{"02-eight-cameras", kPlaces},
+        Case{"02-eight-cameras",
+             "[{path: devices.*.at, lower: -6, upper: 7}, {path: "
+             "devices.upper1.params.focal, lower: 3 mm, upper: 12 mm}]",
+             "{minimize: soft_max}"},
+        Case{"03-hybrid", "[{path: devices.*.at, lower: -6, upper: 7}]",
+             "{terms: [{minimize: cvar, of: eiglen, level: 0.8}, {minimize: mean, of: "
+             "sigma_x, weight: 2}]}"},
+        Case{"04-motion-capture", kPlaces, "{minimize: mean, of: trace}"},
+        Case{"05-optitrack-lab", kTurned, "{minimize: fraction, limit: 0.6 mm}"},
+        Case{"06-furnished-lab", kTurned},
+        Case{"07-torso", kPlaces, "{minimize: mean, guess: 5 mm}"},
+        Case{"08-self-occlusion", kPlaces, "{minimize: mean}", {}, 5},
+        // Orientation too, of three markers on levers.
+        Case{"04-motion-capture",
+             kPlaces,
+             "{minimize: mean, of: sigma_orientation}",
+             {{"motion",
+               "{type: position_velocity, state: pose, q: [0.4, 0.4, 0.1, 1, 1, "
+               "2]}"},
+              {"target", "{markers: [[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.15]]}"}},
+             40},
+        // Rates change more than a device: differences of fields.
+        Case{"03-hybrid", "[{path: devices.s*.rate, lower: 10, upper: 100}]"},
+        // Limits on places, numbers and metrics.
+        Case{"10-better-speakers",
+             kSpeakers,
+             "{minimize: percentile, level: 0.7}",
+             {{"constraints",
+               "[{metric: eigmax, below: 5 cm}, {metric: mle, above: 10}, {spacing: "
+               "0.3, "
+               "devices: '*'}, {sum: {devices.*.at.z: 1}, at_most: 4}]"}}}),
+    name_of);
+
+}  // namespace
+}  // namespace delos::test
