@@ -93,7 +93,9 @@ void Problem::State::find_touched() {
       const PlacedDevice &a = system.devices[i], &b = moved.devices[i];
       if (a.period != b.period || a.phase != b.phase) what.all = true;
       if (!(a.X_WS == b.X_WS)) what.poses.push_back(i);
-      if (!(a.params == b.params)) what.layers.push_back(i);
+      const bool same_view = a.X_TS == b.X_TS && a.beacons == b.beacons &&
+                             a.select == b.select && a.count == b.count;
+      if (!(a.params == b.params) || !same_view) what.layers.push_back(i);
     }
     touched.push_back(std::move(what));
   }

@@ -44,6 +44,21 @@ TEST(FieldCommand, SaysWhyNoBeaconIsSeen) {
       << done.out;
 }
 
+TEST(CheckCommand, RefusesFieldsOfViewThatCannotBe) {
+  for (const auto& [field, problem] :
+       {std::pair{"0 deg", "0 rad is below the least value 1e-04 rad"},
+        {"180 deg", "is above the greatest value 3.1 rad"}}) {
+    const Finished done = run(
+        {"check", kSix, "--set", std::string("devices.hiball.params.field=") + field});
+    EXPECT_EQ(done.code, 1);
+    EXPECT_NE(done.err.find("--set devices.hiball.params.field: error: "
+                            "devices.hiball.params.field: "),
+              std::string::npos)
+        << done.err;
+    EXPECT_NE(done.err.find(problem), std::string::npos) << done.err;
+  }
+}
+
 // The same scene three times: as it is, and with a change on one side only.
 TEST(CompareCommand, ChangesOneSide) {
   const Finished done =

@@ -3,9 +3,13 @@
 // performance of tracking and motion capture systems, §5.1.1 and ch. 7; and an
 // independent evaluation of the same model (hiball_oracle.py).
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <random>
+#include <set>
 #include <sstream>
 
 #include "delos/field/beacon_use.h"
@@ -97,6 +101,98 @@ TEST(HiBall, AgreesWithTheOracleAtEveryPose) {
     EXPECT_NEAR(field.value.at(0), expected, 1e-8 * expected) << line;
   }
   EXPECT_EQ(rows, 49);
+}
+
+// ---- the pose and the beacons ----
+
+/// Poses near head height under the ceiling, turned by up to some 40°.
+std::vector<TargetPose> random_poses(int count) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<TargetPose> poses;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d rpy(0.7 * uniform(random), 0.7 * uniform(random),
+                              3 * uniform(random));
+    poses.push_back({rotation_from_rpy(rpy),
+                     {3.15 + 3 * uniform(random), 4.5 + 4.4 * uniform(random),
+                      1.5 + 0.5 * uniform(random)}});
+  }
+  return poses;
+}
+
+/// A beacon as its device sees it.
+bool observe(const PlacedDevice& placed, const TargetPose& pose, int view,
+             const Eigen::Vector3d& beacon, Observation& out) {
+  Target target;
+  target.p_ST = (pose * placed.X_TS).inverse() * beacon;
+  target.n_ST = pose.R.transpose() * Eigen::Vector3d(0, 0, -1);
+  return placed.device->observe_view(view, target, out);
+}
+
+TEST(HiBall, SeesWhatALoopOverAllLedsAndViewsSees) {
+  const System system = build_system(load("hiball/six-lepd"), plugins());
+  const PlacedDevice& hiball = system.devices.at(0);
+  ASSERT_EQ(hiball.device->views(), 26);
+  std::size_t total = 0;
+  Observation out;
+  for (const TargetPose& pose : random_poses(500)) {
+    std::multiset<std::pair<double, double>> expected, found;
+    for (int view = 0; view < 26; ++view) {
+      for (std::size_t b = 0; b < hiball.beacons->size(); ++b) {
+        const Eigen::Vector3d& p = (*hiball.beacons)[b].p;
+        if (observe(hiball, pose, view, p, out)) expected.emplace(p.x(), p.y());
+      }
+    }
+    for (const SeenBeacon& s : seen_beacons(system, pose)) {
+      found.emplace(s.at.x(), s.at.y());
+    }
+    ASSERT_EQ(found, expected);
+    total += found.size();
+  }
+  EXPECT_GT(total, 500u * 20);
+}
+
+// Rows over position and orientation against central differences of u and v, with the
+// LED fixed in the room and the sensor moved and turned.
+TEST(HiBall, RowsAreDerivativesByPositionAndOrientation) {
+  const System system = build_system(
+      load("hiball/volume",
+           {{"devices.hiball.select", "all"}, {"devices.hiball.count", "1"}}),
+      plugins());
+  const PlacedDevice& hiball = system.devices.at(0);
+  std::map<std::string, int> view_of;
+  for (int v = 0; v < 26; ++v) view_of[hiball.device->view_name(v)] = v;
+  int compared = 0;
+  for (const TargetPose& pose : random_poses(500)) {
+    const std::vector<SeenBeacon> seen = seen_beacons(system, pose);
+    const WhitenedRows rows = whitened_rows(system, pose);
+    ASSERT_EQ(rows.rows.rows(), 2 * static_cast<Eigen::Index>(seen.size()));
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const double h = 1e-6;
+      for (int c = 0; c < 6; ++c) {
+        TargetPose up = pose, down = pose;
+        if (c < 3) {
+          up.p(c) += h, down.p(c) -= h;
+        } else {
+          const Eigen::Vector3d axis = Eigen::Vector3d::Unit(c - 3);
+          up.R = Eigen::AngleAxisd(h, axis) * pose.R;
+          down.R = Eigen::AngleAxisd(-h, axis) * pose.R;
+        }
+        Observation plus, minus;
+        const int view = view_of.at(seen[i].view);
+        if (!observe(hiball, up, view, seen[i].at, plus)) continue;
+        if (!observe(hiball, down, view, seen[i].at, minus)) continue;
+        const Eigen::Vector2d slope = (plus.z - minus.z) / (2 * h);
+        const auto row = static_cast<Eigen::Index>(2 * i);
+        // Half-widths per metre or radian; r is 2.1e-4.
+        const Eigen::Vector2d mine = rows.rows.block<2, 1>(row, c) * std::sqrt(2.1e-4);
+        EXPECT_NEAR(mine(0), slope(0), 1e-6 * (1 + std::abs(slope(0))));
+        EXPECT_NEAR(mine(1), slope(1), 1e-6 * (1 + std::abs(slope(1))));
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 500 * 20 * 6);
 }
 
 // ---- directions ----

@@ -2,117 +2,170 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
 namespace delos {
 namespace {
 
-/// Beacons of a node that isn't split: about as many as are tested in the time that two
-/// more nodes cost.
-constexpr std::uint32_t kLeaf = 8;
+constexpr std::uint32_t kFan = BeaconIndex::kFan;
 
-/// What a cone asks of many points: without roots, which would be most of its cost.
-struct ConeTest {
-  explicit ConeTest(const ViewCone& cone)
-      : apex(cone.apex),
-        axis(cone.axis),
-        range(cone.range),
-        square_range(cone.range * cone.range),
-        narrow(cone.half_angle < std::numbers::pi / 2),
-        all_around(cone.half_angle >= std::numbers::pi),
-        cosine(std::cos(cone.half_angle)),
-        sine(std::sin(cone.half_angle)) {}
+/// What a cone of less than a right angle asks of balls, eight side by side.
+///
+/// A point at depth a along the axis and s beside it is s cos θ − a sin θ away from the
+/// line through the apex along the cone's edge, and so at least as far from the cone
+/// itself where that is positive. A ball meets the cone only where s cos θ ≤ r + a sin
+/// θ. Squares do without roots; single precision does with half of the memory, which is
+/// most of the cost, and with margins that keep every ball that might meet.
+struct NarrowCone {
+  /// @param extent greatest coordinate of the beacons, metres
+  NarrowCone(const ViewCone& cone, double extent)
+      : apex(cone.apex.cast<float>()),
+        axis(cone.axis.cast<float>()),
+        sine(static_cast<float>(std::sin(cone.half_angle))),
+        square_cosine(static_cast<float>(std::pow(std::cos(cone.half_angle), 2))),
+        range(static_cast<float>(std::min(cone.range, 1e15))),
+        margin(static_cast<float>(1e-6 * (extent + cone.apex.cwiseAbs().maxCoeff()))) {}
 
-  /// False only where no point of the ball is in the cone.
-  ///
-  /// A point at depth a along the axis and s beside it is s cos θ − a sin θ away from
-  /// the line through the apex along the cone's edge, and so at least as far from the
-  /// cone itself where that is positive: outside where s cos θ > r + a sin θ.
-  bool may_meet(const Eigen::Vector3d& center, double radius) const {
-    const Eigen::Vector3d v = center - apex;
-    const double square = v.squaredNorm();
-    const double reach = range + radius;
-    if (square > reach * reach) return false;
-    if (!narrow) return true;
-    const double a = v.dot(axis);
-    const double beyond = radius + a * sine;
-    if (beyond < 0) return false;
-    // Rounding may not turn a touch into a certainty.
-    const double s = square - a * a;
-    return s * cosine * cosine <= beyond * beyond + 1e-12 * square;
+  /// A bit for each ball that may meet the cone.
+  [[nodiscard]] unsigned meeting(const BeaconIndex::Balls& balls) const {
+    constexpr float kRounding = 1e-5f;  // of squared distances
+    float meets[kFan];
+    for (std::size_t l = 0; l < kFan; ++l) {
+      const float x = balls.x[l] - apex.x();
+      const float y = balls.y[l] - apex.y();
+      const float z = balls.z[l] - apex.z();
+      const float r = balls.radius[l] + margin;
+      const float square = x * x + y * y + z * z;
+      const float a = x * axis.x() + y * axis.y() + z * axis.z();
+      const float beyond = r + a * sine, reach = (range + r) * (1 + kRounding);
+      const float aside = (square - a * a) * square_cosine - kRounding * square;
+      const bool in = (beyond >= 0) & (aside <= beyond * beyond) &
+                      (square <= reach * reach) & (r >= 0);
+      meets[l] = in ? 1.0f : 0.0f;
+    }
+    unsigned bits = 0;
+    for (unsigned l = 0; l < kFan; ++l) bits |= unsigned{meets[l] > 0} << l;
+    return bits;
   }
 
-  /// Whether the angle to the axis is at most θ: cos θ |v| ≤ v·axis, by squares.
-  bool contains(double x, double y, double z) const {
-    const double vx = x - apex.x(), vy = y - apex.y(), vz = z - apex.z();
-    const double square = vx * vx + vy * vy + vz * vz;
-    const double a = vx * axis.x() + vy * axis.y() + vz * axis.z();
-    const double edge = cosine * cosine * square;
-    const bool in_angle =
-        narrow ? (a >= 0) & (a * a >= edge) : all_around | (a >= 0) | (a * a <= edge);
-    return in_angle & (square <= square_range);
-  }
-
-  Eigen::Vector3d apex, axis;
-  double range, square_range;
-  bool narrow, all_around;
-  double cosine, sine;
+  Eigen::Vector3f apex, axis;
+  float sine, square_cosine, range, margin;
 };
+
+/// Whether a point is in a cone, its edge included.
+bool contains(const ViewCone& cone, double cosine, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d way = p - cone.apex;
+  const double square = way.squaredNorm();
+  if (square > cone.range * cone.range) return false;
+  const double a = way.dot(cone.axis), edge = cosine * cosine * square;
+  if (cone.half_angle < std::numbers::pi / 2) return a >= 0 && a * a >= edge;
+  return cone.half_angle >= std::numbers::pi || a >= 0 || a * a <= edge;
+}
 
 }  // namespace
 
 BeaconIndex::BeaconIndex(std::vector<Beacon> beacons) : listed_(beacons.size()) {
   std::iota(listed_.begin(), listed_.end(), 0);
-  if (!beacons.empty()) {
-    build(0, static_cast<std::uint32_t>(beacons.size()), beacons);
-  }
+  std::size_t size = kFan;
+  while (size < beacons.size()) size *= kFan;
+  sort(0, beacons.size(), size, beacons);
   beacons_.reserve(beacons.size());
-  for (const std::uint32_t i : listed_) {
-    beacons_.push_back(beacons[i]);
-    for (int c = 0; c < 3; ++c) p_[c].push_back(beacons[i].p[c]);
-  }
+  for (const std::uint32_t i : listed_) beacons_.push_back(beacons[i]);
+  if (!beacons_.empty()) stack();
 }
 
-/// Halves along the longest side, at the median; ties by the order of the list.
-void BeaconIndex::build(std::uint32_t first, std::uint32_t last,
-                        const std::vector<Beacon>& beacons) {
-  Eigen::AlignedBox3d box;
-  for (auto i = first; i < last; ++i) box.extend(beacons[listed_[i]].p);
-  const std::size_t node = nodes_.size();
-  // Rounding of the centre may leave a corner out by as much.
-  const double radius = box.diagonal().norm() / 2 * (1 + 1e-12);
-  nodes_.push_back({box.center(), radius, first, last, 0});
-  if (last - first > kLeaf) {
-    Eigen::Index axis;
-    box.sizes().maxCoeff(&axis);
-    const auto middle = first + (last - first) / 2;
-    std::nth_element(listed_.begin() + first, listed_.begin() + middle,
-                     listed_.begin() + last, [&](std::uint32_t a, std::uint32_t b) {
-                       const double x = beacons[a].p[axis], y = beacons[b].p[axis];
-                       return x != y ? x < y : a < b;
-                     });
-    build(first, middle, beacons);
-    build(middle, last, beacons);
+/// Put runs of size/8, size/64, … beacons side by side: halved three times along the
+/// longest side of what is halved; ties by the order of the list.
+void BeaconIndex::sort(std::size_t first, std::size_t last, std::size_t size,
+                       const std::vector<Beacon>& beacons) {
+  if (size <= kFan || last - first <= 1) return;
+  const auto at = [&](std::size_t i) {
+    return listed_.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  const auto halve = [&](auto&& self, std::size_t begin, std::size_t end,
+                         std::size_t part) -> void {
+    if (part == size / kFan) return sort(begin, end, part, beacons);
+    const std::size_t middle = std::min(begin + part / 2, end);
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = begin; i < end; ++i) box.extend(beacons[listed_[i]].p);
+    Eigen::Index axis = 0;
+    if (middle < end) {
+      box.sizes().maxCoeff(&axis);
+      std::nth_element(at(begin), at(middle), at(end),
+                       [&](std::uint32_t a, std::uint32_t b) {
+                         const double x = beacons[a].p[axis], y = beacons[b].p[axis];
+                         return x != y ? x < y : a < b;
+                       });
+    }
+    self(self, begin, middle, part / 2);
+    if (middle < end) self(self, middle, end, part / 2);
+  };
+  halve(halve, first, last, size);
+}
+
+/// Balls around eight beacons each, around eight of those balls, and so on to one
+/// group.
+void BeaconIndex::stack() {
+  for (std::size_t run = 1;; run *= kFan) {
+    std::vector<Balls>& level = levels_.emplace_back();
+    const std::size_t count = (beacons_.size() + run - 1) / run;
+    level.resize((count + kFan - 1) / kFan);
+    for (std::size_t i = 0; i < level.size() * kFan; ++i) {
+      const std::size_t first = i * run;
+      const std::size_t last = std::min(first + run, beacons_.size());
+      Eigen::AlignedBox3d box;
+      for (std::size_t b = first; b < last; ++b) box.extend(beacons_[b].p);
+      Balls& balls = level[i / kFan];
+      const std::size_t l = i % kFan;
+      if (first >= last) {
+        balls.x[l] = balls.y[l] = balls.z[l] = 0;
+        balls.radius[l] = -std::numeric_limits<float>::max();
+        continue;
+      }
+      double radius = 0;
+      for (std::size_t b = first; b < last; ++b) {
+        radius = std::max(radius, (beacons_[b].p - box.center()).norm());
+      }
+      balls.x[l] = static_cast<float>(box.center().x());
+      balls.y[l] = static_cast<float>(box.center().y());
+      balls.z[l] = static_cast<float>(box.center().z());
+      balls.radius[l] = static_cast<float>(radius);
+      extent_ = std::max(
+          {extent_, box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()});
+    }
+    if (level.size() == 1) return;
   }
-  nodes_[node].next = static_cast<std::uint32_t>(nodes_.size());
 }
 
 void BeaconIndex::find(const ViewCone& cone, std::vector<std::uint32_t>& found) const {
-  const ConeTest test(cone);
-  for (std::uint32_t n = 0; n < nodes_.size();) {
-    const Node& node = nodes_[n];
-    const bool leaf = node.last - node.first <= kLeaf;
-    if (!test.may_meet(node.center, node.radius)) {
-      n = node.next;
-      continue;
+  const double cosine = std::cos(cone.half_angle);
+  const auto test = [&](std::size_t i) {
+    if (contains(cone, cosine, beacons_[i].p)) {
+      found.push_back(static_cast<std::uint32_t>(i));
     }
-    for (auto i = node.first; leaf && i < node.last; ++i) {
-      if (test.contains(p_[0][i], p_[1][i], p_[2][i])) found.push_back(i);
-    }
-    ++n;
+  };
+  if (cone.half_angle >= std::numbers::pi / 2) {
+    for (std::size_t i = 0; i < beacons_.size(); ++i) test(i);
+    return;
   }
+  const NarrowCone narrow(cone, extent_);
+  const auto descend = [&](auto&& self, std::size_t level, std::size_t group) -> void {
+    for (unsigned bits = narrow.meeting(levels_[level][group]); bits != 0;
+         bits &= bits - 1) {
+      const std::size_t i =
+          group * kFan + static_cast<std::size_t>(std::countr_zero(bits));
+      if (level == 0) {
+        test(i);
+      } else {
+        self(self, level - 1, i);
+      }
+    }
+  };
+  if (!levels_.empty()) descend(descend, levels_.size() - 1, 0);
 }
 
 }  // namespace delos

@@ -259,7 +259,8 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
       slopes[i] *= weight_of(s.system, device);
       continue;
     }
-    if (device.device->span() == Span::state) continue;  // its place means nothing
+    // The place of these means nothing, or isn't in the world.
+    if (device.device->span() == Span::state || device.beacons) continue;
     constexpr double kStep = 1e-5;                       // metres, radians
     for (int k = 0; k < 6; ++k) {
       PlacedDevice to = device, from = device;

@@ -109,14 +109,14 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
-  return placed.device->span() == Span::point &&
+  return !placed.beacons && placed.device->span() == Span::point &&
          placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
 }
 
 bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
                                    double weight, Sightline* lines,
                                    StateMatrix& S) const {
-  if (placed.device->span() != Span::point) return false;
+  if (placed.beacons || placed.device->span() != Span::point) return false;
   const Eigen::Matrix3d R_WS = placed.X_WS.R;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {

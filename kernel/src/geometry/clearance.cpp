@@ -2,8 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-
-#include "geometry/segment.h"
+#include <cmath>
 
 namespace delos {
 namespace {
@@ -64,6 +63,23 @@ void pass(const std::array<Vector, 3>& t, const Vector& a, const Vector& d,
     take(from / (from - to), Vector::Zero(), best);
 }
 
+/// Whether a + t·d, t in [0, 1], may meet a box, by its part between the box's three
+/// pairs of planes. Says no only where it doesn't.
+bool may_meet(const Vector& a, const Vector& d, const Vector& low, const Vector& high) {
+  double enter = 0, leave = 1;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(d[i]) < 1e-300) {
+      if (a[i] < low[i] || a[i] > high[i]) return false;
+      continue;
+    }
+    const double t = (low[i] - a[i]) / d[i], u = (high[i] - a[i]) / d[i];
+    enter = std::max(enter, std::min(t, u));
+    leave = std::min(leave, std::max(t, u));
+  }
+  // Each quotient is off by three roundings at most.
+  return enter <= leave * (1 + 2e-15);
+}
+
 }  // namespace
 
 Clearance::Clearance(const std::vector<TriangleMesh>& parts) {
@@ -109,7 +125,6 @@ Passage Clearance::passage(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   Passage best;
   best.distance = limit;
   if (nodes_.empty()) return best;
-  const SlabTest slabs({a, b});
   // Halving by medians: 64 levels hold any number of triangles.
   std::uint32_t stack[64];
   int size = 0;
@@ -118,9 +133,7 @@ Passage Clearance::passage(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
     const Node& node = nodes_[stack[--size]];
     const Vector low = node.min.array() - best.distance,
                  high = node.max.array() + best.distance;
-    if (!slabs.may_meet({low[0], low[1], low[2]}, {high[0], high[1], high[2]})) {
-      continue;
-    }
+    if (!may_meet(a, b - a, low, high)) continue;
     if (node.count == 0) {
       stack[size++] = node.first + 1;
       stack[size++] = node.first;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "delos/device/beacons.h"
 #include "delos/sampling/samples.h"
 #include "delos/scene/scene.h"
 

@@ -29,8 +29,9 @@ struct Beacon {
   }
 };
 
-/// Beacons sorted by place, so that a query costs about what it finds: a binary tree of
-/// bounding balls over runs of one array.
+/// Beacons sorted by place, so that a query costs about what it finds: neighbours stand
+/// side by side, with balls around every eight of them, around every eight balls, and
+/// so on.
 class DELOS_API BeaconIndex {
  public:
   explicit BeaconIndex(std::vector<Beacon> beacons);
@@ -42,22 +43,27 @@ class DELOS_API BeaconIndex {
   [[nodiscard]] std::size_t listed(std::size_t i) const { return listed_[i]; }
 
   /// Append all that lie in a cone of W, its edge included, in the order of the index.
+  /// @cost about that of the beacons found; of a cone of a right angle or more, of all
   void find(const ViewCone& cone, std::vector<std::uint32_t>& found) const;
 
- private:
-  /// A ball around beacons [first, last), and the node after its subtree.
-  struct Node {
-    Eigen::Vector3d center;
-    double radius;
-    std::uint32_t first, last, next;
+  /// How many balls lie in a larger one.
+  static constexpr std::uint32_t kFan = 8;
+
+  /// As many balls side by side, in W, metres; a radius below 0: there is none.
+  struct Balls {
+    float x[kFan], y[kFan], z[kFan], radius[kFan];
   };
-  void build(std::uint32_t first, std::uint32_t last,
-             const std::vector<Beacon>& beacons);
+
+ private:
+  void sort(std::size_t first, std::size_t last, std::size_t size,
+            const std::vector<Beacon>& beacons);
+  void stack();
 
   std::vector<Beacon> beacons_;
-  std::vector<double> p_[3];  // their places again, side by side
   std::vector<std::uint32_t> listed_;
-  std::vector<Node> nodes_;
+  /// The beacons themselves, the balls around eight each, …, one group of balls.
+  std::vector<std::vector<Balls>> levels_;
+  double extent_ = 0;  // greatest coordinate, metres
 };
 
 }  // namespace delos

@@ -12,7 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include "delos/device/beacons.h"
 #include "delos/device/parameters.h"
 #include "delos/geometry/mesh.h"
 #include "delos/model/motion.h"
@@ -21,6 +20,8 @@
 #include "delos/scene/search.h"
 
 namespace delos {
+
+struct Beacon;
 
 /// How the measurements of several devices come together.
 enum class Fusion {
