@@ -94,6 +94,8 @@ void add_point_command(CLI::App& program, int& exit_code);
 void add_compare_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_devices_command(CLI::App& program, int& exit_code);
+void add_optimize_command(CLI::App& program, int& exit_code);
+void add_study_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
 
 }  // namespace delos::cli

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
       "picture\n"
       "  delos field scenes/01-acoustic.yaml          the field and its statistics\n"
       "  delos point scenes/01-acoustic.yaml --at 0.2,0.2,0.4\n"
+      "  delos optimize scenes/09-camera-room.yaml    better places for its cameras\n"
       "  delos devices pinhole_camera                 a device's parameters\n"
       "Exit codes: 0 done, 1 scene or plugin at fault, 2 usage, 3 cancelled, 70 "
       "internal.");
@@ -31,6 +32,8 @@ int main(int argc, char** argv) {
   add_compare_command(program, exit_code);
   add_check_command(program, exit_code);
   add_devices_command(program, exit_code);
+  add_optimize_command(program, exit_code);
+  add_study_command(program, exit_code);
   add_demo_command(program, exit_code);
   try {
     program.parse(argc, argv);

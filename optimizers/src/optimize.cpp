@@ -21,8 +21,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Evaluations of a stage with slopes, where nobody says.
 constexpr int kStageEvaluations = 60;
-/// More variables than this are too many for SLSQP, whose steps cost n³.
-constexpr std::size_t kManyVariables = 100;
+/// Beyond so many variables CCSA found better camera rooms than SLSQP (bench_optimize),
+/// whose steps cost n³.
+constexpr std::size_t kManyVariables = 30;
 
 Plan plan_of(const OptimizeOptions& options, Problem& problem) {
   Plan plan;
@@ -101,9 +102,13 @@ std::vector<std::vector<double>> run_starts(
           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int workers = std::min<int>(threads, static_cast<int>(starts.size()));
   const ProblemOptions each{options.samples, std::max(1, threads / workers)};
-  std::vector<std::unique_ptr<Problem>> problems;
-  for (int w = 0; w < workers; ++w)
+  const ProblemOptions fewer{std::max<std::size_t>(options.samples / 4, 64),
+                             each.threads};
+  std::vector<std::unique_ptr<Problem>> problems, coarse;
+  for (int w = 0; w < workers; ++w) {
     problems.push_back(std::make_unique<Problem>(scene, plugins, each));
+    coarse.push_back(std::make_unique<Problem>(scene, plugins, fewer));
+  }
 
   std::vector<std::vector<double>> ends(starts.size());
   std::atomic<std::size_t> next = 0;
@@ -113,8 +118,9 @@ std::vector<std::vector<double>> run_starts(
   const auto work = [&](int worker) {
     for (std::size_t k = next++; k < starts.size(); k = next++) {
       try {
-        Start start(*problems[static_cast<std::size_t>(worker)], options, plan,
-                    static_cast<int>(k), shared);
+        const auto w = static_cast<std::size_t>(worker);
+        Start start(*problems[w], *coarse[w], options, plan, static_cast<int>(k),
+                    shared);
         ends[k] = start.run(starts[k]);
         if (start.spent()) any_spent = true;
       } catch (...) {
@@ -155,9 +161,16 @@ std::vector<std::string> algorithm_names() {
   return names;
 }
 
-OptimizeResult optimize(const Scene& scene, PluginRegistry& plugins,
+Scene with_guess(Scene scene, PluginRegistry& plugins) {
+  if (scene.objective.guess == 0)
+    scene.objective.guess = Problem(scene, plugins, {0, 0}).guess();
+  return scene;
+}
+
+OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
                         const OptimizeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
+  const Scene scene = with_guess(given, plugins);
   Problem whole(scene, plugins, {0, options.threads});
   const Plan plan = plan_of(options, whole);
   OptimizeResult result;

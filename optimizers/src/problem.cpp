@@ -110,7 +110,7 @@ double Problem::State::objective(const std::vector<std::vector<double>>& values,
   for (const Term& t : terms) {
     const double sign = t.term.maximize ? -1 : 1;
     const bool larger = metrics[t.metric].larger_is_better;
-    const double blind = larger ? 0 : kBlindCost * scene().objective.guess;
+    const double blind = larger ? 0 : kBlindCost * guess;
     costs = values[t.metric];
     for (double& c : costs) c = sign * (std::isfinite(c) ? c : blind);
     of_term.resize(slopes ? costs.size() : 0);
@@ -147,6 +147,9 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
         "variables:\n  - {path: \"devices.*.at.z\", lower: 0.5, upper: 3}");
   s.samples = search_samples(scene, options.samples);
   s.build(s.design.start());
+  s.guess = scene.objective.guess > 0
+                ? scene.objective.guess
+                : typical_guess(s.system, s.samples.samples, scene.orientations);
   s.read_objective();
   s.read_limits();
   s.find_touched();
@@ -156,24 +159,25 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
     if (s.slope_problem.empty())
       s.slope_problem = delos::slope_problem(s.system, metric);
   }
-  s.soft = std::make_unique<SoftField>(
-      s.samples.samples, scene.orientations, s.metrics,
-      guess_information(s.system, scene.objective.guess), options.threads);
+  s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, s.metrics,
+                                       guess_information(s.system, s.guess),
+                                       options.threads);
 }
 
 Problem::~Problem() = default;
 
 Design& Problem::design() { return state_->design; }
+double Problem::guess() const { return state_->guess; }
 const std::vector<Limit>& Problem::limits() const { return state_->limits; }
 std::size_t Problem::samples() const { return state_->samples.set.size(); }
 const std::string& Problem::slope_problem() const { return state_->slope_problem; }
 
 /// The metrics of the system as it is built. Coverage counts no guess.
 std::vector<std::vector<double>> Problem::State::hard_values(bool with_guess) {
-  const auto layers_of = [&](bool guess) -> const InformationLayers& {
-    std::optional<InformationLayers>& layers = guess ? guessed : plain;
+  const auto layers_of = [&](bool with) -> const InformationLayers& {
+    std::optional<InformationLayers>& layers = with ? guessed : plain;
     System now = system;
-    if (guess) add_guess(now, scene().objective.guess);
+    if (with) add_guess(now, guess);
     if (layers) {
       layers->update(now);
     } else {
@@ -184,8 +188,8 @@ std::vector<std::vector<double>> Problem::State::hard_values(bool with_guess) {
   };
   std::vector<std::vector<double>> values;
   for (const Metric& metric : metrics) {
-    const bool guess = with_guess && metric.kind != MetricKind::coverage;
-    values.push_back(evaluate_field(layers_of(guess), samples.samples,
+    const bool with = with_guess && metric.kind != MetricKind::coverage;
+    values.push_back(evaluate_field(layers_of(with), samples.samples,
                                     scene().orientations, metric, field_options())
                          .value);
   }
@@ -219,6 +223,23 @@ std::vector<double> Problem::place_slacks(std::span<const double> x) {
     // A place that isn't there keeps nothing.
   }
   return slacks;
+}
+
+double Problem::objective_without(std::span<const double> x, std::size_t device) {
+  State& s = *state_;
+  s.build(x);
+  System rest = s.system;
+  rest.devices.erase(rest.devices.begin() + static_cast<std::ptrdiff_t>(device));
+  System guessed = rest;
+  add_guess(guessed, s.guess);
+  std::vector<std::vector<double>> values;
+  for (const Metric& metric : s.metrics) {
+    const bool plain = metric.kind == MetricKind::coverage;
+    values.push_back(evaluate_field(plain ? rest : guessed, s.samples.samples,
+                                    s.scene().orientations, metric, s.field_options())
+                         .value);
+  }
+  return s.objective(values, false, nullptr);
 }
 
 Field Problem::field(std::span<const double> x) {

@@ -135,7 +135,7 @@ Score Problem::score_with_slopes(std::span<const double> x, double width, double
   for (std::size_t k = 0; k < s.metric_limits.size(); ++k) {
     const MetricLimit& limit = s.metric_limits[k];
     of_values = zero;
-    soft_worst(limit, values[limit.metric], of_values[limit.metric].data());
+    (void)soft_worst(limit, values[limit.metric], of_values[limit.metric].data());
     for (double& w : of_values[limit.metric]) w = -w;
     s.soft->adjoin(of_values);
     s.chain(x, s.soft->pose_slopes(), slopes + (first + k) * n);

@@ -55,6 +55,7 @@ struct Problem::State {
   std::vector<MetricLimit> metric_limits;
   std::vector<Limit> limits;
   std::vector<Touched> touched;
+  double guess = 0;
   std::string slope_problem;
   System system;                                    // as last built, without the guess
   std::optional<InformationLayers> guessed, plain;  // with and without the guess

@@ -50,19 +50,22 @@ EvaluationRecord Start::soft(std::span<const double> x, double width) {
     r.width = width;
     r.slope.resize(x.size());
     r.slopes.resize(problem_.limits().size() * x.size());
-    r.score = problem_.score_with_slopes(x, width, r.slope.data(), r.slopes.data());
+    Problem& problem = width >= kCoarseWidth ? coarse_ : problem_;
+    r.score = problem.score_with_slopes(x, width, r.slope.data(), r.slopes.data());
   });
 }
 
 void Start::note() {
   if (best_score_.feasible()) shared_.found(best_score_.objective);
 }
+
 void Start::take(std::span<const double> x, const Score& score) {
   if (!better(score, best_score_, problem_.limits())) return;
   best_.assign(x.begin(), x.end());
   best_score_ = score;
   note();
 }
+
 std::vector<double> Start::run(const std::vector<double>& from) {
   best_ = from;
   best_score_ = hard(from);

@@ -60,12 +60,17 @@ class Shared {
 [[nodiscard]] bool better(const Score& a, const Score& b,
                           const std::vector<Limit>& limits);
 
+/// Edges at least so wide are searched on a quarter of the samples.
+inline constexpr double kCoarseWidth = 0.1;
+
 /// One start of a search. What is passed is kept by reference.
 class Start {
  public:
-  Start(Problem& problem, const OptimizeOptions& options, const Plan& plan, int index,
-        Shared& shared)
+  /// @param coarse the same problem on fewer samples, for wide edges
+  Start(Problem& problem, Problem& coarse, const OptimizeOptions& options,
+        const Plan& plan, int index, Shared& shared)
       : problem_(problem),
+        coarse_(coarse),
         options_(options),
         plan_(plan),
         index_(index),
@@ -91,7 +96,7 @@ class Start {
   std::vector<double> run_stage(const std::vector<double>& from, double width,
                                 int evaluations);
 
-  Problem& problem_;
+  Problem &problem_, &coarse_;
   const OptimizeOptions& options_;
   const Plan& plan_;
   int index_;

@@ -171,7 +171,7 @@ Study Study::create(const std::filesystem::path& file, const Scene& scene,
     state.set_fact("starts", std::to_string(plan.starts));
     state.set_fact("seed", std::to_string(plan.seed));
     state.set_fact("samples", std::to_string(plan.samples));
-    state.begin_round(1, {scene, {}}, 0, plan.evaluations);
+    state.begin_round(1, {with_guess(scene, plugins), {}}, 0, plan.evaluations);
     state.database.run("COMMIT");
   }
   std::filesystem::rename(unborn, file);

@@ -7,7 +7,8 @@ namespace delos::test {
 namespace {
 
 const std::vector<std::string> kCommands = {"field", "point",   "compare",
-                                            "check", "devices", "demo"};
+                                            "check", "devices", "optimize",
+                                            "study", "demo"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

@@ -188,6 +188,21 @@ TEST(Search, RefusesSlopesThatAreNotThere) {
   EXPECT_LE(found.best.objective, found.initial.objective);
 }
 
+// The objective as the scene's first lines say it, on all samples; and that a short
+// search improves it with all constraints kept.
+TEST(Search, ImprovesTheCameraRoom) {
+  OptimizeOptions options;
+  options.starts = 1;
+  options.evaluations = 60;
+  options.samples = 400;
+  const OptimizeResult found = search(load("09-camera-room"), options);
+  EXPECT_NEAR(found.initial.objective, 0.00165, 5e-6);
+  EXPECT_LT(found.best.objective, 0.7 * found.initial.objective);
+  ASSERT_EQ(found.constraints.size(), 2u);
+  for (const ConstraintReport& c : found.constraints)
+    EXPECT_TRUE(c.satisfied) << c.name;
+}
+
 // Same seed, same bytes, for any number of threads.
 TEST(Search, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = load("10-better-speakers");

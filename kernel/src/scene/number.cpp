@@ -108,12 +108,18 @@ class Walk {
     return end(v(part[0] - 'x'), unit);
   }
 
-  SceneNumber of_placement(Placement& placement) {
-    std::vector<std::string> words = {"at"};
-    if (std::holds_alternative<Aim>(placement.facing)) words.emplace_back("aim");
-    if (std::holds_alternative<Rpy>(placement.facing)) words.emplace_back("rpy");
+  /// The key by which a placement says how it faces; none where it doesn't.
+  static std::vector<std::string> facing_words(const Placement& placement) {
+    if (std::holds_alternative<Aim>(placement.facing)) return {"aim"};
+    if (std::holds_alternative<Rpy>(placement.facing)) return {"rpy"};
     if (std::holds_alternative<QuaternionWxyz>(placement.facing))
-      words.emplace_back("quaternion_wxyz");
+      return {"quaternion_wxyz"};
+    return {};
+  }
+
+  SceneNumber of_placement(Placement& placement) {
+    std::vector<std::string> words = facing_words(placement);
+    words.insert(words.begin(), "at");
     return of_facing(next(std::move(words)), placement);
   }
 
@@ -135,12 +141,9 @@ class Walk {
   }
 
   SceneNumber of_device(DeviceEntry& device) {
-    std::vector<std::string> words = {device.mounting ? "coordinates" : "at"};
-    if (std::holds_alternative<Aim>(device.placement.facing)) words.emplace_back("aim");
-    if (std::holds_alternative<Rpy>(device.placement.facing)) words.emplace_back("rpy");
-    if (std::holds_alternative<QuaternionWxyz>(device.placement.facing))
-      words.emplace_back("quaternion_wxyz");
-    for (const char* key : {"rate", "phase", "params"}) words.emplace_back(key);
+    std::vector<std::string> words = facing_words(device.placement);
+    words.insert(words.begin(), device.mounting ? "coordinates" : "at");
+    words.insert(words.end(), {"rate", "phase", "params"});
     const std::string& key = next(std::move(words));
     if (key == "rate") {
       SceneNumber rate = end(device.rate, "1/s", 0);

@@ -210,6 +210,7 @@ constexpr std::array<Key<ObjectiveDraft>, 2> kObjectiveKeys = {{
     {"terms", Need::optional, "a list of terms, whose weighted sum is made small",
      read_terms,
      [](const ObjectiveDraft& d) -> Written {
+       if (d.objective.terms.empty()) return std::nullopt;
        std::vector<Node> list;
        for (const ObjectiveTerm& term : d.objective.terms)
          list.push_back(write_map(kTermKeys, Draft{nullptr, term, {}}));
@@ -222,7 +223,10 @@ constexpr std::array<Key<ObjectiveDraft>, 2> kObjectiveKeys = {{
        if (guess && !(*guess > 0)) r.error(p, "must be above 0");
        if (guess) d.objective.guess = *guess;
      },
-     [](const ObjectiveDraft& d) -> Written { return to_node(d.objective.guess); }},
+     [](const ObjectiveDraft& d) -> Written {
+       if (d.objective.guess == 0) return std::nullopt;
+       return to_node(d.objective.guess);
+     }},
 }};
 
 }  // namespace
@@ -247,9 +251,13 @@ void read_objective(Reader& reader, const Place& at, Scene& scene) {
     const Node root;
     const Place place(Place(root), "objective", term);
     const std::size_t before = reader.findings.errors();
-    read_map(reader, place, kTermKeys, single);
-    if (reader.findings.errors() == before) check_term(reader, place, single);
-    draft.objective.terms.push_back(std::move(single.term));
+    if (!term.items.empty()) {
+      read_map(reader, place, kTermKeys, single);
+      if (reader.findings.errors() == before) check_term(reader, place, single);
+      draft.objective.terms.push_back(std::move(single.term));
+    } else if (rest.items.empty()) {
+      reader.error(at, "says neither what to minimize nor what to maximize");
+    }
   } else if (!read_map(reader, at, kObjectiveKeys, draft)) {
     return;
   }

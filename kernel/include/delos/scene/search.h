@@ -64,8 +64,9 @@ struct ObjectiveTerm {
 struct Objective {
   std::vector<ObjectiveTerm> terms;  ///< empty: the mean of the scene's metric
   /// Standard deviation, metres and radians, of a guess that every update adds to each
-  /// coordinate of the pose: what no device sees has a finite cost by it.
-  double guess = 1;
+  /// coordinate of the pose: what no device sees has a finite cost by it. 0: a hundred
+  /// times as bad as what one device tells, typically, in the scene as it stands.
+  double guess = 0;
   friend bool operator==(const Objective&, const Objective&) = default;
 };
 

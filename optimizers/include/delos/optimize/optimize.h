@@ -92,6 +92,11 @@ struct OptimizeResult {
 
 [[nodiscard]] std::vector<std::string> algorithm_names();
 
+/// The scene with the guess of its objective written down, so that scores of other
+/// designs can be compared with its own.
+/// @throws std::invalid_argument as Problem
+[[nodiscard]] Scene with_guess(Scene scene, PluginRegistry& plugins);
+
 /// Search for the least objective that keeps all constraints.
 ///
 /// With slopes: from each start, SLSQP (CCSA for many variables) over edges that are

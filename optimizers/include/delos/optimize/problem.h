@@ -46,6 +46,8 @@ class Problem {
   Problem& operator=(const Problem&) = delete;
 
   [[nodiscard]] Design& design();
+  /// The guess of the objective, given or not.
+  [[nodiscard]] double guess() const;
   [[nodiscard]] const std::vector<Limit>& limits() const;
   [[nodiscard]] std::size_t samples() const;
 
@@ -68,6 +70,10 @@ class Problem {
 
   /// The slacks of the first limits, those that places and numbers alone decide; cheap.
   [[nodiscard]] std::vector<double> place_slacks(std::span<const double> x);
+
+  /// The objective where one device fails, hard.
+  /// @pre there are two devices or more
+  [[nodiscard]] double objective_without(std::span<const double> x, std::size_t device);
 
   /// The field of the scene's metric at x, hard, on the problem's samples, without the
   /// guess of the objective.

@@ -1,0 +1,155 @@
+// delos optimize: better values for the variables of a scene.
+#include "delos/optimize/optimize.h"
+
+#include <memory>
+#include <optional>
+
+#include "command.h"
+#include "delos/optimize/study.h"
+#include "delos/output/write.h"
+#include "evaluation.h"
+#include "search_report.h"
+
+namespace delos::cli {
+namespace {
+
+struct OptimizeCommand {
+  SceneOptions options;
+  OptimizeOptions search;
+  std::filesystem::path scene;
+  std::vector<std::filesystem::path> out, before;
+  std::filesystem::path study;
+  bool explain = false;
+};
+
+bool is_scene(const std::filesystem::path& file) {
+  const std::string suffix = file.extension().string();
+  return suffix == ".yaml" || suffix == ".yml";
+}
+
+/// What can't be written is said before the search.
+void check_outputs(const OptimizeCommand& command, const Scene& scene) {
+  const Samples samples = planned_samples(scene);
+  for (const auto* list : {&command.out, &command.before}) {
+    for (const auto& file : *list) {
+      if (list == &command.out && is_scene(file)) continue;
+      const std::string problem = drawable(scene, samples, file);
+      if (!problem.empty()) throw Failure{kUsage, problem};
+    }
+  }
+}
+
+void write_fields(const std::vector<std::filesystem::path>& files,
+                  const LoadedScene& loaded, const SceneOptions& options,
+                  const std::filesystem::path& folder, const Interrupt& interrupt) {
+  std::optional<Evaluation> evaluation;
+  PictureOptions picture;
+  picture.larger_is_better = loaded.metric.larger_is_better;
+  for (const auto& file : files) {
+    std::string problem;
+    if (is_scene(file)) {
+      problem = save_scene(loaded.scene, folder, file);
+    } else {
+      if (!evaluation) evaluation = evaluate_scene(loaded, options, interrupt);
+      problem = write_evaluation(*evaluation, loaded.scene, file, picture);
+    }
+    if (!problem.empty()) throw Failure{kDiagnostics, problem};
+  }
+}
+
+OptimizeResult search(OptimizeCommand& command, const Scene& scene,
+                      PluginRegistry& plugins) {
+  if (command.study.empty()) return optimize(scene, plugins, command.search);
+  const OptimizeOptions& s = command.search;
+  return Study::create(command.study, scene, command.scene.parent_path(),
+                       {s.algorithm, s.evaluations, s.starts, s.seed, s.samples},
+                       plugins)
+      .run(command.search);
+}
+
+int run(OptimizeCommand& command) {
+  PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  LoadedScene loaded = load(command.scene, command.options, plugins);
+  check_outputs(command, loaded.scene);
+
+  const Interrupt interrupt;
+  SearchLine line(loaded.scene);
+  command.search.threads = command.options.threads;
+  command.search.cancel = &interrupt.requested();
+  command.search.progress = [&](const SearchProgress& at) { line.update(at); };
+  std::function<Answers(const OptimizeResult&)> explain;
+  if (command.explain) {
+    explain = [&](const OptimizeResult& found) {
+      Problem problem(found.scene, plugins,
+                      {command.search.samples, command.search.threads});
+      constexpr double kLoss = 0.05;
+      return answers(problem, problem.design().start(), kLoss, command.search.cancel);
+    };
+  }
+  std::optional<OptimizeResult> result;
+  const int code = finish_search(
+      [&] {
+        result = search(command, loaded.scene, plugins);
+        return *result;
+      },
+      line, command.scene, command.study, plugins, command.options.json, explain);
+
+  const std::filesystem::path folder = command.scene.parent_path();
+  write_fields(command.before, loaded, command.options, folder, interrupt);
+  LoadedScene best{result->scene, build_system(result->scene, plugins), loaded.metric};
+  write_fields(command.out, best, command.options, folder, interrupt);
+  return code;
+}
+
+}  // namespace
+
+void add_optimize_command(CLI::App& program, int& exit_code) {
+  auto command = std::make_shared<OptimizeCommand>();
+  CLI::App* app = program.add_subcommand(
+      "optimize", "Search for better values of a scene's variables");
+  app->add_option("scene", command->scene,
+                  "Scene file with variables, and an objective and constraints")
+      ->required();
+  app->add_option("--algorithm", command->search.algorithm,
+                  "auto, or one of NLopt's: slsqp, mma, ccsa, lbfgs, cobyla, bobyqa, …")
+      ->check(CLI::IsMember(algorithm_names()))
+      ->capture_default_str();
+  app->add_option("--evaluations", command->search.evaluations,
+                  "Evaluations at most; 0: by the number of variables")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app->add_option("--starts", command->search.starts,
+                  "Searches from different designs; 0: by the algorithm")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  app->add_option("--seed", command->search.seed, "Seed of all that is random")
+      ->capture_default_str();
+  app->add_option("--samples", command->search.samples,
+                  "Samples looked at while searching; the result is judged on all")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app->add_option(
+      "--study", command->study,
+      "Keep the search in this new file; delos study resumes and steers it");
+  app->add_flag(
+      "--explain", command->explain,
+      "Also how far each variable may be off, and which device is missed most");
+  app->add_option(
+         "--out", command->out,
+         "Write the best scene (.yaml) or its field (.png, .csv, …); repeatable")
+      ->allow_extra_args(false);
+  app->add_option("--before", command->before,
+                  "Write the field as it was, to compare; repeatable")
+      ->allow_extra_args(false);
+  add_scene_options(*app, command->options);
+  app->footer(
+      "Ctrl-C ends the search and keeps the best so far.\n"
+      "Examples:\n"
+      "  delos optimize scenes/09-camera-room.yaml --seed 1 --json\n"
+      "  delos optimize scenes/09-camera-room.yaml --before before.png --out best.png "
+      "\\\n"
+      "        --out best.yaml");
+  app->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace delos::cli

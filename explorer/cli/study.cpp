@@ -1,0 +1,165 @@
+// delos study: look at, steer and resume a search that is kept in a file.
+#include "delos/optimize/study.h"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "command.h"
+#include "delos/output/format.h"
+#include "search_report.h"
+#include "summary.h"
+
+namespace delos::cli {
+namespace {
+
+struct StudyCommand {
+  SceneOptions options;
+  std::filesystem::path file;
+  std::string action = "show";
+  std::vector<std::string> arguments;
+  int round = -1;
+};
+
+const std::vector<std::string> kActions = {"show",   "resume", "best",   "export",
+                                           "pause",  "lock",   "unlock", "set",
+                                           "forbid", "extend", "undo"};
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+Json to_json(const StudySummary& s) {
+  Json rounds = Json::array(), acts = Json::array();
+  for (const StudyRound& r : s.rounds)
+    rounds.push_back({{"round", r.number},
+                      {"ended", r.ended},
+                      {"evaluations", r.evaluations},
+                      {"initial", r.ended ? number(r.initial) : Json()},
+                      {"best", r.ended ? number(r.best) : Json()}});
+  for (const StudyAct& a : s.acts)
+    acts.push_back({{"act", a.number},
+                    {"after_round", a.after_round},
+                    {"verb", a.verb},
+                    {"argument", a.argument}});
+  return {{"scene", s.scene},
+          {"algorithm", s.plan.algorithm},
+          {"seed", s.plan.seed},
+          {"locked", s.locked},
+          {"rounds", rounds},
+          {"acts", acts},
+          {"waiting_acts", s.waiting.size()}};
+}
+
+void show(const Study& study, const SceneOptions& options) {
+  const StudySummary s = study.summary();
+  if (options.json) {
+    std::cout << to_json(s).dump(2) << "\n";
+    return;
+  }
+  const std::string unit = objective_unit(study.scene());
+  std::cout << s.scene << ": " << objective_text(study.scene()) << ", "
+            << s.plan.algorithm << ", seed " << s.plan.seed << "\n";
+  for (const StudyRound& r : s.rounds) {
+    std::cout << "round " << r.number << ": " << counted(r.evaluations, "evaluation");
+    if (r.ended)
+      std::cout << ", " << format_quantity(std::abs(r.initial), unit) << " -> "
+                << format_quantity(std::abs(r.best), unit) << "\n";
+    else
+      std::cout << ", not at its end: delos study FILE resume\n";
+    for (const StudyAct& a : s.acts)
+      if (a.after_round == r.number)
+        std::cout << "  act " << a.number << ": " << a.verb << " " << a.argument
+                  << "\n";
+  }
+  if (!s.waiting.empty()) std::cout << "The last acts hold from the next round on.\n";
+  for (const std::string& path : s.locked) std::cout << "locked: " << path << "\n";
+}
+
+int resume(Study& study, StudyCommand& command, PluginRegistry& plugins) {
+  const Interrupt interrupt;
+  const Scene scene = study.scene();
+  SearchLine line(scene);
+  OptimizeOptions options;
+  options.threads = command.options.threads;
+  options.cancel = &interrupt.requested();
+  options.progress = [&](const SearchProgress& at) { line.update(at); };
+  return finish_search([&] { return study.run(options); }, line, command.file,
+                       command.file, plugins, command.options.json);
+}
+
+int run(StudyCommand& command) {
+  PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const auto needs = [&](std::size_t count, const char* what) {
+    if (command.arguments.size() != count)
+      throw Failure{kUsage, "delos study FILE " + command.action + " " + what};
+  };
+  try {
+    Study study(command.file, plugins);
+    if (command.action == "show") {
+      show(study, command.options);
+    } else if (command.action == "best") {
+      needs(1, "SCENE.yaml");
+      const std::string problem =
+          save_scene(study.scene(command.round), study.folder(), command.arguments[0]);
+      if (!problem.empty()) throw Failure{kDiagnostics, problem};
+    } else if (command.action == "export") {
+      std::cout << study.dump();
+    } else if (command.action == "pause") {
+      study.pause();
+    } else if (command.action == "resume") {
+      return resume(study, command, plugins);
+    } else {
+      study.act(command.action, joined(command.arguments));
+    }
+  } catch (const std::invalid_argument& refusal) {
+    throw Failure{kDiagnostics, refusal.what()};
+  } catch (const std::runtime_error& failure) {
+    throw Failure{kDiagnostics, failure.what()};
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program, int& exit_code) {
+  auto command = std::make_shared<StudyCommand>();
+  CLI::App* app = program.add_subcommand(
+      "study", "Look at, steer and resume a search that is kept in a file");
+  app->add_option("file", command->file, "Study, made by delos optimize --study")
+      ->required();
+  app->add_option(
+         "action", command->action,
+         "show, resume, best, export, pause, lock, unlock, set, forbid, extend, undo")
+      ->check(CLI::IsMember(kActions))
+      ->capture_default_str();
+  app->add_option("arguments", command->arguments, "What the action is about");
+  app->add_option("--round", command->round,
+                  "Round whose design `best` writes; 0: the scene as it was given");
+  app->add_option("--threads", command->options.threads, "Threads; 0: one a core")
+      ->check(CLI::Range(0, 4096));
+  app->add_option("--plugin-dir", command->options.plugin_dirs,
+                  "Folder with device plugins, searched first; repeatable")
+      ->allow_extra_args(false);
+  app->add_flag("--json", command->options.json,
+                "One JSON document on stdout, nothing else");
+  app->footer(
+      "Acts are journalled, and hold for a search that runs and for all that follow:\n"
+      "  lock PATTERN, unlock PATTERN   variables by path; devices.c1 is all of c1's\n"
+      "  set PATH=VALUE                 anything of the scene, as --set\n"
+      "  forbid X,Y,Z X,Y,Z             a box that no device may enter\n"
+      "  extend N                       search on from the best, N evaluations\n"
+      "  undo                           the last act that no round has begun with\n"
+      "Examples:\n"
+      "  delos optimize scenes/09-camera-room.yaml --study room.study\n"
+      "  delos study room.study lock 'devices.ceiling*'\n"
+      "  delos study room.study forbid 0,3,2 1,5,3\n"
+      "  delos study room.study resume\n"
+      "  delos study room.study best best.yaml");
+  app->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace delos::cli

@@ -1,0 +1,240 @@
+// delos optimize and delos study, as a user runs them.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "program.h"
+
+namespace delos::test {
+namespace {
+
+const std::vector<std::string> kSmall = {"optimize",      scene("10-better-speakers"),
+                                         "--evaluations", "60",
+                                         "--starts",      "2",
+                                         "--samples",     "100",
+                                         "--threads",     "1"};
+
+std::vector<std::string> small(const std::vector<std::string>& more) {
+  std::vector<std::string> words = kSmall;
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Optimize, WritesTheContractsDocument) {
+  const Folder folder;
+  const Finished done = run(small({"--json", "--out", "best.yaml"}), folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  EXPECT_LT(json["best"], json["initial"]);
+  EXPECT_EQ(json["variables"].size(), 6u);
+  EXPECT_GT(json["gradient_evaluations"], 0);
+  EXPECT_TRUE(json["study"].is_null());
+  ASSERT_EQ(json["constraints"].size(), 1u);
+  EXPECT_EQ(json["constraints"][0]["name"], "budget");
+  EXPECT_EQ(json["constraints"][0]["satisfied"], true);
+
+  // The scene that was written is the one that was found.
+  const Finished field =
+      run({"field", (folder.path() / "best.yaml").string(), "--json"}, folder.path());
+  ASSERT_EQ(field.code, 0) << field.err;
+  EXPECT_NEAR(field.json()["mean"], json["best_field"]["mean"], 1e-12);
+}
+
+TEST(Optimize, TellsWhatChanged) {
+  const Finished done = run(small({}));
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("p-norm of eigmax: 61.9 mm before, "), std::string::npos)
+      << done.out;
+  EXPECT_NE(done.out.find("budget: kept, with "), std::string::npos) << done.out;
+}
+
+TEST(Optimize, RefusesAWordOfTheUserLineByLine) {
+  const Finished done =
+      run({"optimize", scene("01-acoustic"), "--set",
+           "variables=[{path: devices.s5.at.z, lower: 0, upper: 1}]"});
+  EXPECT_EQ(done.code, 1);
+  EXPECT_NE(done.err.find("there is no number 's5' here; did you mean 's"),
+            std::string::npos)
+      << done.err;
+  const Finished none = run({"optimize", scene("01-acoustic")});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.err.find("the scene has no variables"), std::string::npos) << none.err;
+  EXPECT_EQ(run({"optimize", scene("01-acoustic"), "--algorithm", "magic"}).code, 2);
+}
+
+TEST(Optimize, KeepsTheBestAtCtrlC) {
+  const Folder folder;
+  Running program({"optimize", scene("09-camera-room"), "--threads", "1", "--json",
+                   "--out", "best.yaml"},
+                  folder.path());
+  const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (program.err().find(" after ") == std::string::npos && !program.ended() &&
+         std::chrono::steady_clock::now() < last)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  program.send(SIGINT);
+  const Finished done = program.wait();
+  ASSERT_EQ(done.code, 3) << done.err;
+  EXPECT_EQ(done.json()["stop"], "cancelled");
+  EXPECT_LE(done.json()["best"], done.json()["initial"]);
+  EXPECT_FALSE(read_file(folder.path() / "best.yaml").empty());
+}
+
+// ---- studies ----
+
+std::string exported(const std::filesystem::path& file) {
+  const Finished done = run({"study", file.string(), "export"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  return done.out;
+}
+
+Json shown(const std::filesystem::path& file) {
+  return run({"study", file.string(), "show", "--json"}).json();
+}
+
+// Killed at any moment, resumed, killed again: in the end the same design, the same
+// history and the same file as if nothing had happened.
+TEST(Study, SurvivesTwentyKills) {
+  const Folder folder;
+  const std::filesystem::path whole = folder.path() / "whole",
+                              killed = folder.path() / "killed";
+  const auto more = [&](const std::filesystem::path& file) {
+    return std::vector<std::string>{"optimize",      scene("10-better-speakers"),
+                                    "--seed",        "7",
+                                    "--evaluations", "1200",
+                                    "--threads",     "2",
+                                    "--json",        "--study",
+                                    file.string()};
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const Finished reference = run(more(whole));
+  ASSERT_EQ(reference.code, 0) << reference.err;
+  const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
+
+  std::mt19937_64 random(20);
+  std::uniform_real_distribution<double> part(0.01, 0.1);
+  int kills = 0, early = 0;
+  for (int i = 0; i < 20; ++i) {
+    const bool begun = std::filesystem::exists(killed);
+    Running program(
+        begun ? std::vector<std::string>{"study", killed.string(), "resume", "--json"}
+              : more(killed));
+    std::this_thread::sleep_for(part(random) * lasted);
+    program.send(SIGKILL);
+    const Finished done = program.wait();
+    if (done.code == 128 + SIGKILL) ++kills;
+    if (!begun && !std::filesystem::exists(killed)) ++early;
+  }
+  EXPECT_GE(kills, 15);
+  EXPECT_LT(early, 20);
+  const Finished last = run({"study", killed.string(), "resume", "--json"});
+  ASSERT_EQ(last.code, 0) << last.err;
+  EXPECT_EQ(last.json()["variables"], reference.json()["variables"]);
+  EXPECT_EQ(last.json()["best"], reference.json()["best"]);
+  EXPECT_EQ(exported(killed), exported(whole));
+  // It works twice.
+  EXPECT_EQ(run({"study", killed.string(), "resume", "--json"}).json()["best"],
+            reference.json()["best"]);
+  EXPECT_EQ(exported(killed), exported(whole));
+}
+
+TEST(Study, IsNotOverwritten) {
+  const Folder folder;
+  const std::string file = (folder.path() / "s").string();
+  ASSERT_EQ(run(small({"--study", file})).code, 0);
+  const std::string before = exported(file);
+  const Finished again = run(small({"--study", file}));
+  EXPECT_EQ(again.code, 1);
+  EXPECT_NE(again.err.find("exists already"), std::string::npos) << again.err;
+  EXPECT_EQ(exported(file), before);
+}
+
+TEST(Study, IsSearchedByOneProcessAtATime) {
+  const Folder folder;
+  const std::string file = (folder.path() / "s").string();
+  Running first(
+      {"optimize", scene("09-camera-room"), "--threads", "1", "--study", file});
+  while (!std::filesystem::exists(file + ".lock") && !first.ended())
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const Finished second = run({"study", file, "resume"});
+  EXPECT_EQ(second.code, 1);
+  EXPECT_NE(second.err.find("is being searched by another process"), std::string::npos)
+      << second.err;
+  // Looking and pausing are for everybody.
+  EXPECT_EQ(run({"study", file, "show"}).code, 0);
+  EXPECT_EQ(run({"study", file, "pause"}).code, 0);
+  EXPECT_EQ(first.wait().code, 3);
+}
+
+// A person locks two speakers and forbids a corner; the search respects both.
+TEST(Study, RespectsActs) {
+  const Folder folder;
+  const std::string file = (folder.path() / "s").string();
+  ASSERT_EQ(run(small({"--study", file})).code, 0);
+  ASSERT_EQ(run({"study", file, "best", (folder.path() / "first.yaml").string()}).code,
+            0);
+  const auto act = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all = {"study", file};
+    all.insert(all.end(), words.begin(), words.end());
+    return run(all);
+  };
+  ASSERT_EQ(act({"set", "devices.s1.at.x=-0.1"}).code, 0);
+  ASSERT_EQ(act({"lock", "devices.s1"}).code, 0);
+  ASSERT_EQ(act({"forbid", "0.55,-1,0", "2,2,2"}).code, 0);
+  const Finished done = act({"resume", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  EXPECT_EQ(json["variables"]["devices.s1.at.x"], -0.1);
+  EXPECT_LE(json["variables"]["devices.s2.at.x"], 0.55);
+  ASSERT_EQ(json["constraints"].size(), 2u);
+  EXPECT_EQ(json["constraints"][1]["name"], "forbidden1");
+  EXPECT_EQ(json["constraints"][1]["satisfied"], true);
+
+  const Json study = shown(file);
+  EXPECT_EQ(study["acts"].size(), 3u);
+  EXPECT_EQ(study["rounds"].size(), 2u);
+  EXPECT_EQ(study["locked"].size(), 3u);
+  // Past designs stay.
+  const std::string again = (folder.path() / "again.yaml").string();
+  ASSERT_EQ(act({"best", again, "--round", "1"}).code, 0);
+  EXPECT_EQ(read_file(again), read_file(folder.path() / "first.yaml"));
+  // Unlocked and extended, it goes on from the best.
+  ASSERT_EQ(act({"unlock", "devices.s1"}).code, 0);
+  ASSERT_EQ(act({"extend", "40"}).code, 0);
+  const Finished more = act({"resume", "--json"});
+  ASSERT_EQ(more.code, 0) << more.err;
+  EXPECT_LE(more.json()["best"], json["best"]);
+}
+
+TEST(Study, RefusesActsThatCannotBe) {
+  const Folder folder;
+  const std::string file = (folder.path() / "s").string();
+  ASSERT_EQ(run(small({"--study", file})).code, 0);
+  const auto error = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all = {"study", file};
+    all.insert(all.end(), words.begin(), words.end());
+    const Finished done = run(all);
+    EXPECT_EQ(done.code, 1) << done.out;
+    return done.err;
+  };
+  EXPECT_NE(error({"lock", "devices.s9"}).find("no variable fits 'devices.s9'"),
+            std::string::npos);
+  EXPECT_NE(error({"lock", "*"}).find("would lock every variable"), std::string::npos);
+  EXPECT_NE(error({"set", "devices.s1.at.q=3"}).find("there is no such member"),
+            std::string::npos);
+  EXPECT_NE(error({"forbid", "0,0,0", "0,1,1"}).find("the box is flat"),
+            std::string::npos);
+  EXPECT_NE(error({"undo"}).find("no act since the last round to undo"),
+            std::string::npos);
+  EXPECT_EQ(shown(file)["acts"].size(), 0u);
+  EXPECT_EQ(run({"study", (folder.path() / "none").string(), "show"}).code, 1);
+  const auto other = folder.write("other.txt", "not a study");
+  EXPECT_EQ(run({"study", other.string(), "show"}).code, 1);
+}
+
+}  // namespace
+}  // namespace delos::test
