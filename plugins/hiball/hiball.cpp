@@ -246,18 +246,23 @@ class HiBall final : public delos::Device {
     const double v = from_center.dot(w.e_v) / half_width_;
     if (!(std::abs(u) <= 1 && std::abs(v) <= 1)) return false;
 
-    const double distance = way.norm();
-    const double cosine = target.n_ST.isZero(0) ? 1.0 : target.n_ST.dot(way) / distance;
-    if (!(cosine > 0)) return false;
+    const bool all_around = target.n_ST.isZero(0);
+    if (!all_around && !(target.n_ST.dot(way) > 0)) return false;
     out.z.resize(2);
     out.z << u, v;
     out.H.resize(2, 3);
     // −t e + (way·e) ∂t/∂p with ∂t/∂p = −t n/depth
     out.H.row(0) = -t / half_width_ * (w.e_u + way.dot(w.e_u) / depth * w.n);
     out.H.row(1) = -t / half_width_ * (w.e_v + way.dot(w.e_v) / depth * w.n);
-    out.R.resize(2, 2);
-    out.R << variance(u, cosine, distance), 0,  //
-        0, variance(v, cosine, distance);
+    out.R.setZero(2, 2);
+    if (constant_) {
+      out.R.diagonal().setConstant(r_);
+      return true;
+    }
+    const double distance = way.norm();
+    const double cosine = all_around ? 1.0 : target.n_ST.dot(way) / distance;
+    out.R(0, 0) = variance(u, cosine, distance);
+    out.R(1, 1) = variance(v, cosine, distance);
     return true;
   }
 
@@ -299,7 +304,6 @@ class HiBall final : public delos::Device {
   }
 
   [[nodiscard]] double variance(double x, double cosine, double distance) const {
-    if (constant_) return r_;
     const double noise =
         hiball::position_noise(diode_, sum_, gain_, x, cosine, distance);
     return published_ ? noise : noise * noise;

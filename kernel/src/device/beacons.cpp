@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -12,6 +14,10 @@ namespace delos {
 namespace {
 
 constexpr std::uint32_t kFan = BeaconIndex::kFan;
+
+/// Four lanes side by side, by the compiler's vector extension.
+using Floats = float __attribute__((vector_size(16)));
+using Words = std::int32_t __attribute__((vector_size(16)));
 
 /// What a cone of less than a right angle asks of balls, eight side by side.
 ///
@@ -32,24 +38,31 @@ struct NarrowCone {
 
   /// A bit for each ball that may meet the cone.
   [[nodiscard]] unsigned meeting(const BeaconIndex::Balls& balls) const {
+    const Words bits = (half(balls, 0) & Words{1, 2, 4, 8}) |
+                       (half(balls, 4) & Words{16, 32, 64, 128});
+    const auto [low, high] = std::bit_cast<std::array<std::uint64_t, 2>>(bits);
+    const std::uint64_t both = low | high;
+    return static_cast<unsigned>(both | both >> 32) & 255;
+  }
+
+  /// Lanes of all ones for those of four balls that may meet the cone.
+  [[nodiscard]] Words half(const BeaconIndex::Balls& balls, int first) const {
     constexpr float kRounding = 1e-5f;  // of squared distances
-    float meets[kFan];
-    for (std::size_t l = 0; l < kFan; ++l) {
-      const float x = balls.x[l] - apex.x();
-      const float y = balls.y[l] - apex.y();
-      const float z = balls.z[l] - apex.z();
-      const float r = balls.radius[l] + margin;
-      const float square = x * x + y * y + z * z;
-      const float a = x * axis.x() + y * axis.y() + z * axis.z();
-      const float beyond = r + a * sine, reach = (range + r) * (1 + kRounding);
-      const float aside = (square - a * a) * square_cosine - kRounding * square;
-      const bool in = (beyond >= 0) & (aside <= beyond * beyond) &
-                      (square <= reach * reach) & (r >= 0);
-      meets[l] = in ? 1.0f : 0.0f;
-    }
-    unsigned bits = 0;
-    for (unsigned l = 0; l < kFan; ++l) bits |= unsigned{meets[l] > 0} << l;
-    return bits;
+    const auto four = [first](const float* all) {
+      Floats some;
+      std::memcpy(&some, all + first, sizeof some);
+      return some;
+    };
+    const Floats x = four(balls.x) - apex.x();
+    const Floats y = four(balls.y) - apex.y();
+    const Floats z = four(balls.z) - apex.z();
+    const Floats r = four(balls.radius) + margin;
+    const Floats square = x * x + y * y + z * z;
+    const Floats a = x * axis.x() + y * axis.y() + z * axis.z();
+    const Floats beyond = r + a * sine, reach = (range + r) * (1 + kRounding);
+    const Floats aside = (square - a * a) * square_cosine - kRounding * square;
+    return (beyond >= 0) & (aside <= beyond * beyond) & (square <= reach * reach) &
+           (r >= 0);
   }
 
   Eigen::Vector3f apex, axis;
