@@ -155,10 +155,11 @@ TEST(HiBall, SeesWhatALoopOverAllLedsAndViewsSees) {
 // Rows over position and orientation against central differences of u and v, with the
 // LED fixed in the room and the sensor moved and turned.
 TEST(HiBall, RowsAreDerivativesByPositionAndOrientation) {
-  const System system = build_system(
-      load("hiball/volume",
-           {{"devices.hiball.select", "all"}, {"devices.hiball.count", "1"}}),
-      plugins());
+  const System system =
+      build_system(load("hiball/six-lepd", {{"devices.hiball.select", "all"},
+                                            {"motion.state", "pose"},
+                                            {"motion.q", "[1, 1, 1, 1, 1, 1]"}}),
+                   plugins());
   const PlacedDevice& hiball = system.devices.at(0);
   std::map<std::string, int> view_of;
   for (int v = 0; v < 26; ++v) view_of[hiball.device->view_name(v)] = v;
@@ -184,8 +185,8 @@ TEST(HiBall, RowsAreDerivativesByPositionAndOrientation) {
         if (!observe(hiball, down, view, seen[i].at, minus)) continue;
         const Eigen::Vector2d slope = (plus.z - minus.z) / (2 * h);
         const auto row = static_cast<Eigen::Index>(2 * i);
-        // Half-widths per metre or radian; r is 2.1e-4.
-        const Eigen::Vector2d mine = rows.rows.block<2, 1>(row, c) * std::sqrt(2.1e-4);
+        // Half-widths per metre or radian; r is 2.1e-5.
+        const Eigen::Vector2d mine = rows.rows.block<2, 1>(row, c) * std::sqrt(2.1e-5);
         EXPECT_NEAR(mine(0), slope(0), 1e-6 * (1 + std::abs(slope(0))));
         EXPECT_NEAR(mine(1), slope(1), 1e-6 * (1 + std::abs(slope(1))));
         ++compared;

@@ -65,10 +65,11 @@ void see_beacons(const System& system, const PlacedDevice& placed,
     beacons.find(cone, out.in_cone);
     for (const std::uint32_t b : out.in_cone) {
       const Beacon& beacon = beacons[b];
-      if (beacon.weight == 0 || !beacon.reaches(cone.apex)) continue;
+      if (beacon.weight == 0) continue;
       out.target.p_ST.noalias() = X_WS.R.transpose() * (beacon.p - X_WS.p);
       out.target.n_ST.noalias() = X_WS.R.transpose() * beacon.normal;
       if (!placed.device->observe_view(view, out.target, out.observation)) continue;
+      if (!beacon.reaches(cone.apex)) continue;
       if (may_hide && hidden(system, X_WT, cone.apex, beacon.p)) continue;
       const auto first = static_cast<std::uint32_t>(out.rows.size());
       const PoseRow pose_row{system.motion.layout, X_WS.R, beacon.p - X_WT.p};
