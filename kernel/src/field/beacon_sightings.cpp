@@ -36,19 +36,14 @@ struct PoseRow {
   }
 };
 
-bool hidden(const System& system, const TargetPose& X_WT, const Eigen::Vector3d& apex,
-            const Eigen::Vector3d& beacon) {
-  if (system.in_world.triangles() > 0 &&
-      system.in_world.blocks(apex, beacon, system.skin)) {
-    return true;
-  }
-  if (system.on_target.triangles() == 0) return false;
-  const Eigen::Matrix3d R_TW = X_WT.R.transpose();
-  return system.on_target.blocks(R_TW * (apex - X_WT.p), R_TW * (beacon - X_WT.p),
-                                 system.skin);
-}
-
 }  // namespace
+
+ViewCone cone_in_world(const PlacedDevice& placed, int view, const Pose& X_WS) {
+  ViewCone cone = placed.device->view_cone(view);
+  cone.apex = X_WS * cone.apex;
+  cone.axis = X_WS.R * cone.axis;
+  return cone;
+}
 
 void see_beacons(const System& system, const PlacedDevice& placed,
                  const TargetPose& X_WT, BeaconSightings& out) {
@@ -58,9 +53,7 @@ void see_beacons(const System& system, const PlacedDevice& placed,
   const Pose X_WS = X_WT * placed.X_TS;
   const bool may_hide = may_be_hidden(system, placed);
   for (int view = 0; view < placed.device->views(); ++view) {
-    ViewCone cone = placed.device->view_cone(view);
-    cone.apex = X_WS * cone.apex;
-    cone.axis = X_WS.R * cone.axis;
+    const ViewCone cone = cone_in_world(placed, view, X_WS);
     out.in_cone.clear();
     beacons.find(cone, out.in_cone);
     for (const std::uint32_t b : out.in_cone) {
@@ -70,7 +63,7 @@ void see_beacons(const System& system, const PlacedDevice& placed,
       out.target.n_ST.noalias() = X_WS.R.transpose() * beacon.normal;
       if (!placed.device->observe_view(view, out.target, out.observation)) continue;
       if (!beacon.reaches(cone.apex)) continue;
-      if (may_hide && hidden(system, X_WT, cone.apex, beacon.p)) continue;
+      if (may_hide && !in_sight(system, beacon.p, X_WT, cone.apex - X_WT.p)) continue;
       const auto first = static_cast<std::uint32_t>(out.rows.size());
       const PoseRow pose_row{system.motion.layout, X_WS.R, beacon.p - X_WT.p};
       whiten(

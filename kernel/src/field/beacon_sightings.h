@@ -35,6 +35,10 @@ struct BeaconSightings {
   Observation observation;
 };
 
+/// A view's cone, in W. @param X_WS the device on the target, in W
+[[nodiscard]] ViewCone cone_in_world(const PlacedDevice& placed, int view,
+                                     const Pose& X_WS);
+
 /// Find what the device sees of its beacons from the pose, and how often it uses each.
 /// @pre placed.beacons isn't null
 void see_beacons(const System& system, const PlacedDevice& placed,

@@ -28,9 +28,7 @@ InCone in_cones(const PlacedDevice& placed, const TargetPose& pose,
   InCone count;
   const Pose X_WS = pose * placed.X_TS;
   for (int view = 0; view < placed.device->views(); ++view) {
-    ViewCone cone = placed.device->view_cone(view);
-    cone.apex = X_WS * cone.apex;
-    cone.axis = X_WS.R * cone.axis;
+    const ViewCone cone = cone_in_world(placed, view, X_WS);
     memory.in_cone.clear();
     placed.beacons->find(cone, memory.in_cone);
     count.all += memory.in_cone.size();

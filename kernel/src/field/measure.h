@@ -75,7 +75,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
         const Eigen::Vector3d arm = X_WT.R * marker;  // in W, from the target's origin
         target.p_ST.noalias() = R_SW * (X_WT.p + arm - placed.X_WS.p);
         if (!placed.device->observe(target, o)) continue;
-        if (may_hide && !in_sight(system, placed, X_WT, arm)) continue;
+        if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, arm)) continue;
         seen = true;
         scratch.rows.resize(o.H.rows(), columns);
         if (position) turn(o, 0, R_SW, 0, scratch.rows);
@@ -94,7 +94,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
       target.R_ST.noalias() = R_SW * X_WT.R;
       if (!placed.device->observe(target, o)) return false;
-      if (may_hide && !in_sight(system, placed, X_WT, {0, 0, 0})) return false;
+      if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0})) return false;
       scratch.rows.setZero(o.H.rows(), columns);
       const int orders = placed.device->span() == Span::pose ? 1 : layout.order;
       for (int k = 0; k < orders; ++k) {
@@ -109,7 +109,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       target.R_ST.noalias() = R_SW * X_WT.R;
       target.state.setZero(layout.size());
       if (!placed.device->observe(target, o)) return false;
-      if (may_hide && !in_sight(system, placed, X_WT, {0, 0, 0})) return false;
+      if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0})) return false;
       scratch.rows = o.H;
       visit(scratch.rows, o.R);
       return true;

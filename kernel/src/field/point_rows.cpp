@@ -93,7 +93,8 @@ void look(const System& system, const PlacedDevice& placed,
     bool clear = sight && sight[l] == Sight::clear;
     if (!sight || sight[l] == Sight::unknown) {
       ++out.rays;
-      clear = in_sight(system, placed, poses[l], {arm[0][l], arm[1][l], arm[2][l]});
+      clear =
+          in_sight(system, placed.X_WS.p, poses[l], {arm[0][l], arm[1][l], arm[2][l]});
     }
     if (!clear) out.hidden |= std::uint64_t{1} << l;
   }

@@ -25,17 +25,15 @@ bool may_be_hidden(const System& system, const PlacedDevice& placed) {
          system.in_world.triangles() + system.on_target.triangles() > 0;
 }
 
-bool in_sight(const System& system, const PlacedDevice& placed, const TargetPose& X_WT,
-              const Eigen::Vector3d& arm) {
-  const Eigen::Vector3d& device = placed.X_WS.p;
-  const Eigen::Vector3d marker = X_WT.p + arm;
+bool in_sight(const System& system, const Eigen::Vector3d& in_world,
+              const TargetPose& X_WT, const Eigen::Vector3d& arm) {
   if (system.in_world.triangles() > 0 &&
-      system.in_world.blocks(device, marker, system.skin)) {
+      system.in_world.blocks(in_world, X_WT.p + arm, system.skin)) {
     return false;
   }
   if (system.on_target.triangles() == 0) return true;
   const Eigen::Matrix3d R_TW = X_WT.R.transpose();
-  return !system.on_target.blocks(R_TW * (device - X_WT.p), R_TW * arm, system.skin);
+  return !system.on_target.blocks(R_TW * (in_world - X_WT.p), R_TW * arm, system.skin);
 }
 
 Sight sight_of_box(const System& system, const PlacedDevice& placed,

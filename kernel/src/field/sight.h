@@ -20,9 +20,11 @@ enum class Sight : std::uint8_t {
 /// Whether the scene has anything that may hide the target from this device.
 [[nodiscard]] bool may_be_hidden(const System& system, const PlacedDevice& placed);
 
-/// Whether nothing stands between a device and a marker at `arm` from the target's
-/// origin, in W.
-[[nodiscard]] bool in_sight(const System& system, const PlacedDevice& placed,
+/// Whether nothing stands between something in the world and something on the target:
+/// a device and a marker, or a beacon and a device.
+/// @param in_world where the one is, in W
+/// @param arm where the other is from the target's origin, in W
+[[nodiscard]] bool in_sight(const System& system, const Eigen::Vector3d& in_world,
                             const TargetPose& X_WT, const Eigen::Vector3d& arm);
 
 /// The same for all positions of the target in a box at one orientation R_WT: clear and

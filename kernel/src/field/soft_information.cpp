@@ -81,7 +81,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
                                      const Eigen::Vector3d& arm) const {
   Sightline line{1, Eigen::Vector3d::Zero()};
   if (!may_be_hidden(system_, placed)) return line;
-  if (!in_sight(system_, placed, X_WT, arm)) return {0, Eigen::Vector3d::Zero()};
+  if (!in_sight(system_, placed.X_WS.p, X_WT, arm)) return {0, Eigen::Vector3d::Zero()};
   if (width_ == 0) return line;
 
   const Eigen::Vector3d device = placed.X_WS.p, marker = X_WT.p + arm;
