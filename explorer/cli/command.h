@@ -96,6 +96,7 @@ void add_check_command(CLI::App& program, int& exit_code);
 void add_devices_command(CLI::App& program, int& exit_code);
 void add_optimize_command(CLI::App& program, int& exit_code);
 void add_study_command(CLI::App& program, int& exit_code);
+void add_select_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
 
 }  // namespace delos::cli

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
       "  delos field scenes/01-acoustic.yaml          the field and its statistics\n"
       "  delos point scenes/01-acoustic.yaml --at 0.2,0.2,0.4\n"
       "  delos optimize scenes/09-camera-room.yaml    better places for its cameras\n"
+      "  delos select scenes/12-ceiling-anchors.yaml  30 of 144 spots, with a proof\n"
       "  delos devices pinhole_camera                 a device's parameters\n"
       "Exit codes: 0 done, 1 scene or plugin at fault, 2 usage, 3 cancelled, 70 "
       "internal.");
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   add_devices_command(program, exit_code);
   add_optimize_command(program, exit_code);
   add_study_command(program, exit_code);
+  add_select_command(program, exit_code);
   add_demo_command(program, exit_code);
   try {
     program.parse(argc, argv);

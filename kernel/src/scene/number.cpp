@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "scene/name_pattern.h"
 #include "scene/reader.h"
 
 namespace delos {
@@ -25,17 +26,6 @@ std::vector<std::string> split(std::string_view path) {
     if (dot == path.size()) return parts;
     begin = dot + 1;
   }
-}
-
-/// Whether a name fits a pattern in which '*' stands for anything.
-bool fits(std::string_view name, std::string_view pattern) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.front() != '*')
-    return !name.empty() && name.front() == pattern.front() &&
-           fits(name.substr(1), pattern.substr(1));
-  for (std::size_t skip = 0; skip <= name.size(); ++skip)
-    if (fits(name.substr(skip), pattern.substr(1))) return true;
-  return false;
 }
 
 /// Walks down a path. What it passes is a Visitor of itself: `leaf` ends the walk,

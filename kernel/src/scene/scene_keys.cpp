@@ -59,7 +59,7 @@ void read_skin(Reader& reader, const Place& at, Draft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
+constexpr std::array<Key<Draft>, 20> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const Draft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -170,6 +170,8 @@ constexpr std::array<Key<Draft>, 19> kSceneKeys = {{
      [](const Draft& d) { return write_constraints(d.scene); }},
     {"objective", Need::optional, "what a search makes small", nullptr,
      [](const Draft& d) { return write_objective(d.scene); }},
+    {"selection", Need::optional, "what can be chosen, and how much of it", nullptr,
+     [](const Draft& d) { return write_selection(d.scene); }},
 }};
 
 /// Two devices whose rates differ, or null.
@@ -234,7 +236,8 @@ void read_search(Reader& reader, const Place& root, Scene& scene) {
   for (const auto& [key, read] :
        {std::pair<const char*, Read>{"variables", read_variables},
         {"constraints", read_constraints},
-        {"objective", read_objective}}) {
+        {"objective", read_objective},
+        {"selection", read_selection}}) {
     const Node* node = root.node().find(key);
     if (node && node->kind != Node::Kind::null)
       read(reader, Place(root, key, *node), scene);

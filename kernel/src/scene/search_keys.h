@@ -1,4 +1,5 @@
-// What a search is told: the keys of `variables`, `objective` and `constraints`.
+// What a search is told: the keys of `variables`, `objective`, `constraints` and
+// `selection`.
 #pragma once
 
 #include "delos/scene/scene.h"
@@ -10,10 +11,12 @@ namespace delos {
 void read_variables(Reader& reader, const Place& at, Scene& scene);
 void read_objective(Reader& reader, const Place& at, Scene& scene);
 void read_constraints(Reader& reader, const Place& at, Scene& scene);
+void read_selection(Reader& reader, const Place& at, Scene& scene);
 
 // nullopt where there is nothing to write.
 [[nodiscard]] std::optional<Node> write_variables(const Scene& scene);
 [[nodiscard]] std::optional<Node> write_objective(const Scene& scene);
 [[nodiscard]] std::optional<Node> write_constraints(const Scene& scene);
+[[nodiscard]] std::optional<Node> write_selection(const Scene& scene);
 
 }  // namespace delos

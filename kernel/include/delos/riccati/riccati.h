@@ -100,7 +100,8 @@ solve_continuous(const MotionStep& continuous, const StateMatrix& information_ra
 
 /// ∂J/∂S of the general solution, for an objective with ∂J/∂P∞ = Y (prior) or ∂J/∂Π∞ =
 /// Y (posterior): one Stein equation X = Fᵀ X F + Y with F = A − K H.
-/// @pre state.status == converged, no exact rows.
+/// Exact rows stay as they are.
+/// @pre state.status == converged
 /// @returns n×n, symmetric.
 [[nodiscard]] DELOS_API StateMatrix riccati_gradient(const MotionStep& motion,
                                                      const Measurement& measurement,

@@ -17,7 +17,9 @@
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/riccati/chain.h"
+#include "delos/scene/grid.h"
 #include "delos/scene/search.h"
+#include "delos/scene/selection.h"
 
 namespace delos {
 
@@ -37,14 +39,6 @@ enum class OrientationRule {
   worst,        ///< the worst value
   mean,         ///< the mean of the values
   information,  ///< the value of the mean information: visibility as a probability
-};
-
-/// A regular grid of samples in a box, both ends included: min, min + step, … ≤ max.
-struct VolumeSampling {
-  Eigen::Vector3d min;   ///< metres
-  Eigen::Vector3d max;   ///< metres, ≥ min
-  Eigen::Vector3d step;  ///< metres, > 0
-  friend bool operator==(const VolumeSampling&, const VolumeSampling&) = default;
 };
 
 /// counts[0]×counts[1] samples on the parallelogram origin + a·u + b·v, a and b in [0,
@@ -318,6 +312,7 @@ struct Scene {
   std::vector<VariableEntry> variables;
   std::vector<ConstraintEntry> constraints;
   Objective objective;
+  Selection selection;
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };

@@ -1,0 +1,35 @@
+// A convex cost of fractional choices.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace delos {
+
+/// What a convex function f of w is near one point.
+struct Tangent {
+  double smooth = 0;          ///< f̃(w) ≥ f(w), which has slopes
+  std::vector<double> slope;  ///< ∂f̃/∂w, ≤ 0
+  /// f(v) ≥ level + slope·(v − w) for every v.
+  double level = 0;
+};
+
+/// f(w) ≥ 0, convex and falling in every w. Not thread-safe.
+class ChoiceCost {
+ public:
+  virtual ~ChoiceCost() = default;
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  /// f(w); +∞ where something can't be observed.
+  [[nodiscard]] virtual double value(std::span<const double> w) = 0;
+  /// @param sharpness how near f̃ is to f where f has kinks, > 0
+  /// @returns false where f(w) is infinite
+  virtual bool tangent(std::span<const double> w, double sharpness, Tangent& out) = 0;
+  /// Candidates that can't be in by a fraction: tangent() takes them to be in unless
+  /// they are excluded, so that it stays below.
+  [[nodiscard]] virtual const std::vector<std::size_t>& whole_ones() const = 0;
+  /// @param out one flag a candidate: it isn't chosen
+  virtual void exclude(std::span<const char> out) = 0;
+};
+
+}  // namespace delos
