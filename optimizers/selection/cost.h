@@ -15,6 +15,12 @@ struct Tangent {
   double level = 0;
 };
 
+/// One candidate in, another out; kNobody: none.
+struct Change {
+  static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+  std::size_t in = kNobody, out = kNobody;
+};
+
 /// f(w) ≥ 0, convex and falling in every w. Not thread-safe.
 class ChoiceCost {
  public:
@@ -22,6 +28,10 @@ class ChoiceCost {
   [[nodiscard]] virtual std::size_t size() const = 0;
   /// f(w); +∞ where something can't be observed.
   [[nodiscard]] virtual double value(std::span<const double> w) = 0;
+  /// f of a whole choice after each of some changes.
+  /// @param chosen one flag a candidate
+  [[nodiscard]] virtual std::vector<double> changed(
+      std::span<const char> chosen, std::span<const Change> changes) = 0;
   /// @param sharpness how near f̃ is to f where f has kinks, > 0
   /// @returns false where f(w) is infinite
   virtual bool tangent(std::span<const double> w, double sharpness, Tangent& out) = 0;

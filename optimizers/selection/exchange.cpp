@@ -1,50 +1,81 @@
 #include "selection/exchange.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
 namespace delos {
 namespace {
 
-/// One candidate in, another out; size(): none.
-struct Exchange {
-  std::size_t in, out;
-  double promise;  ///< the most by which the cost may fall, < 0
+/// A change of a choice that the rules allow.
+struct Trial {
+  Change change;
+  double estimate;  ///< of the cost
 };
 
-std::vector<Exchange> promising(const ChoiceRules& rules,
-                                const std::vector<Decision>& decisions,
-                                const std::vector<char>& chosen,
-                                std::span<const double> slope) {
-  const std::size_t n = rules.size();
-  std::vector<Exchange> all;
-  std::vector<std::size_t> outs = {n};
-  double spent = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!chosen[i]) continue;
-    spent += rules.cost[i];
-    if (decisions[i] == Decision::open) outs.push_back(i);
-  }
-  const double budget = rules.budget * (1 + 1e-12);
-  for (std::size_t in = 0; in < n; ++in) {
-    if (chosen[in] || decisions[in] != Decision::open) continue;
-    std::size_t neighbour = n;  // the one that shares its spot
-    for (std::size_t i = 0; i < n && rules.spot[in] >= 0; ++i)
-      if (chosen[i] && rules.spot[i] == rules.spot[in]) neighbour = i;
-    for (const std::size_t out : outs) {
-      if (neighbour < n && out != neighbour) continue;
-      const double freed = out < n ? rules.cost[out] : 0;
-      if (spent - freed + rules.cost[in] > budget) continue;
-      const double promise = slope[in] - (out < n ? slope[out] : 0);
-      if (promise < 0) all.push_back({in, out, promise});
+/// All changes that add an open candidate, or exchange one for another, with the cost
+/// that adding and removing them one at a time would make together. That is above the
+/// cost mostly: a candidate is worth more where another is missing.
+class Trials {
+ public:
+  Trials(ChoiceCost& cost, const ChoiceRules& rules,
+         const std::vector<Decision>& decisions, const Choice& choice)
+      : rules_(rules), choice_(choice), n_(rules.size()) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (choice.chosen[i]) spent_ += rules.cost[i];
+      if (decisions[i] != Decision::open) continue;
+      single_.push_back(choice.chosen[i] ? Change{Change::kNobody, i}
+                                         : Change{i, Change::kNobody});
     }
+    costs_ = cost.changed(choice.chosen, single_);
   }
-  std::stable_sort(all.begin(), all.end(), [](const Exchange& a, const Exchange& b) {
-    return a.promise < b.promise;
-  });
-  return all;
-}
+
+  [[nodiscard]] std::vector<Trial> sorted() const {
+    std::vector<Trial> all;
+    for (std::size_t a = 0; a < single_.size(); ++a) {
+      const std::size_t in = single_[a].in;
+      if (in == Change::kNobody) continue;
+      const std::size_t neighbour = at_spot_of(in);
+      if (neighbour == Change::kNobody && fits(in, Change::kNobody))
+        all.push_back({single_[a], costs_[a]});
+      for (std::size_t b = 0; b < single_.size(); ++b) {
+        const std::size_t out = single_[b].out;
+        if (out == Change::kNobody || !fits(in, out)) continue;
+        if (neighbour != Change::kNobody && neighbour != out) continue;
+        all.push_back({{in, out}, estimate(costs_[a], costs_[b])});
+      }
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) {
+      return a.estimate < b.estimate;
+    });
+    return all;
+  }
+
+ private:
+  [[nodiscard]] double estimate(double with_in, double without_out) const {
+    if (std::isfinite(choice_.cost) && std::isfinite(without_out))
+      return with_in + without_out - choice_.cost;
+    return std::min(with_in, without_out);
+  }
+  [[nodiscard]] bool fits(std::size_t in, std::size_t out) const {
+    const double freed = out == Change::kNobody ? 0 : rules_.cost[out];
+    return spent_ - freed + rules_.cost[in] <= rules_.budget * (1 + 1e-12);
+  }
+  /// The chosen one that shares a candidate's spot.
+  [[nodiscard]] std::size_t at_spot_of(std::size_t in) const {
+    for (std::size_t i = 0; i < n_ && rules_.spot[in] >= 0; ++i)
+      if (choice_.chosen[i] && rules_.spot[i] == rules_.spot[in]) return i;
+    return Change::kNobody;
+  }
+
+  const ChoiceRules& rules_;
+  const Choice& choice_;
+  std::size_t n_;
+  double spent_ = 0;
+  std::vector<Change> single_;
+  std::vector<double> costs_;
+};
 
 std::vector<double> as_numbers(std::span<const char> chosen) {
   return {chosen.begin(), chosen.end()};
@@ -90,34 +121,27 @@ double cost_of(ChoiceCost& cost, std::span<const char> chosen) {
 void exchange(ChoiceCost& cost, const ChoiceRules& rules,
               const std::vector<Decision>& decisions, Choice& choice,
               const std::function<bool()>& stop) {
-  const std::size_t n = rules.size();
-  constexpr double kSharp = 1e4;
-  std::vector<char> excluded(n);
-  for (;;) {
-    // At a whole choice candidates that can't be in by a fraction are in or out.
-    for (std::size_t i = 0; i < n; ++i) excluded[i] = !choice.chosen[i];
-    cost.exclude(excluded);
-    Tangent tangent;
-    const std::vector<double> w = as_numbers(choice.chosen);
-    const bool known = cost.tangent(w, kSharp, tangent);
-    if (!known) tangent.slope.assign(n, -1.0);
-    // Slopes say nothing of those: they are tried first.
-    for (const std::size_t i : cost.whole_ones())
-      if (!choice.chosen[i]) tangent.slope[i] = -std::numeric_limits<double>::max();
-    bool better = false;
-    for (const Exchange& e :
-         promising(rules, decisions, choice.chosen, tangent.slope)) {
+  // So many are tried at a time, the most promising first; then so many in all.
+  constexpr std::size_t kBatch = 32, kMost = 256;
+  bool better = true;
+  while (better && !(stop && stop())) {
+    better = false;
+    const std::vector<Trial> trials = Trials(cost, rules, decisions, choice).sorted();
+    const std::size_t most = std::min(trials.size(), kMost);
+    for (std::size_t first = 0; first < most && !better; first += kBatch) {
       if (stop && stop()) return;
-      Choice trial = choice;
-      trial.chosen[e.in] = 1;
-      if (e.out < n) trial.chosen[e.out] = 0;
-      trial.cost = cost_of(cost, trial.chosen);
-      if (!(trial.cost < choice.cost * (1 - 1e-12))) continue;
-      choice = std::move(trial);
+      std::vector<Change> batch;
+      for (std::size_t i = first; i < std::min(most, first + kBatch); ++i)
+        batch.push_back(trials[i].change);
+      const std::vector<double> costs = cost.changed(choice.chosen, batch);
+      const auto best = std::min_element(costs.begin(), costs.end());
+      if (!(*best < choice.cost * (1 - 1e-12))) continue;
+      const Change& change = batch[static_cast<std::size_t>(best - costs.begin())];
+      choice.chosen[change.in] = 1;
+      if (change.out != Change::kNobody) choice.chosen[change.out] = 0;
+      choice.cost = *best;
       better = true;
-      break;
     }
-    if (!better) return;
   }
 }
 

@@ -26,12 +26,9 @@ struct Choice {
 /// The cost of a whole choice. @see ChoiceCost::value
 [[nodiscard]] double cost_of(ChoiceCost& cost, std::span<const char> chosen);
 
-/// Descend by single exchanges of open candidates, and additions that still fit, until
-/// none helps.
-///
-/// f(v) ≥ f(x) + slope·(v − x) at a whole choice x too, so exchanges that this doesn't
-/// promise to help can't help and aren't tried.
-/// @param stop asked before each trial
+/// Descend by single additions and exchanges of open candidates, the most promising
+/// first, until none of those tried helps.
+/// @param stop asked now and then
 void exchange(ChoiceCost& cost, const ChoiceRules& rules,
               const std::vector<Decision>& decisions, Choice& choice,
               const std::function<bool()>& stop);

@@ -140,12 +140,25 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
   for (std::size_t c = 0; c < size_; ++c)
     if (whole[c]) whole_ones_.push_back(c);
 
+  seen_by_.resize(size_);
+  const auto sees = [&](int candidate, std::size_t sample) {
+    auto& seen = seen_by_[static_cast<std::size_t>(candidate)];
+    if (seen.empty() || seen.back() != sample)
+      seen.push_back(static_cast<std::uint32_t>(sample));
+  };
+  for (std::size_t p = 0; p < known_.poses(); ++p) {
+    for (std::size_t e = known_.first[p]; e < known_.first[p + 1]; ++e)
+      sees(known_.candidate[e], p / turns_);
+    for (std::size_t e = known_.first_exact[p]; e < known_.first_exact[p + 1]; ++e)
+      if (known_.exact[e].candidate >= 0) sees(known_.exact[e].candidate, p / turns_);
+  }
   const std::vector<double> everything(size_, 1.0);
   std::vector<double> values(terms_.size());
   scale_.assign(terms_.size(), std::vector<double>(samples_, 1));
   for (std::size_t s = 0; s < samples_; ++s) {
     if (!hard(everything, s, values.data())) continue;
-    for (std::size_t t = 0; t < terms_.size(); ++t) scale_[t][s] = values[t];
+    for (std::size_t t = 0; t < terms_.size(); ++t)
+      if (values[t] > 0) scale_[t][s] = values[t];
   }
 }
 
@@ -177,8 +190,7 @@ void FieldCost::information(std::span<const double> w, std::size_t pose,
 }
 
 void FieldCost::exact_rows(std::span<const double> w, bool fractions, std::size_t pose,
-                           StateMatrix& rows) const {
-  // More rows than states depend on each other; the solver takes kMaxState of them.
+                           Eigen::MatrixXd& rows) const {
   rows.resize(0, known_.columns);
   for (std::size_t e = known_.first_exact[pose]; e < known_.first_exact[pose + 1];
        ++e) {
@@ -187,36 +199,33 @@ void FieldCost::exact_rows(std::span<const double> w, bool fractions, std::size_
       const auto c = static_cast<std::size_t>(row.candidate);
       if (fractions ? excluded_[c] : w[c] < 1) continue;
     }
-    Eigen::MatrixXd more(rows.rows() + 1, known_.columns);
-    more << rows, row.h;
-    if (more.rows() > known_.columns) {
-      // Their span, orthonormal.
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(more.transpose() *
-                                                                 more);
-      Eigen::Index kept = 0;
-      const double largest = eigen.eigenvalues().maxCoeff();
-      while (kept < known_.columns &&
-             eigen.eigenvalues()(known_.columns - 1 - kept) > 1e-14 * largest)
-        ++kept;
-      more = eigen.eigenvectors().rightCols(kept).transpose();
-    }
-    rows = more;
+    rows.conservativeResize(rows.rows() + 1, known_.columns);
+    rows.bottomRows(1) = row.h;
   }
 }
 
 bool FieldCost::solve(std::span<const double> w, bool fractions, std::size_t pose,
                       CovarianceMap::Solution& out) const {
-  StateMatrix S, exact;
+  StateMatrix S;
+  Eigen::MatrixXd exact;
   information(w, pose, S);
   exact_rows(w, fractions, pose, exact);
-  return map_.solve(S, exact, out);
+  return settles(S, exact, out);
+}
+
+bool FieldCost::settles(const StateMatrix& S, const Eigen::MatrixXd& exact,
+                        CovarianceMap::Solution& out) const {
+  const RiccatiStatus status = map_.solve(S, exact, out);
+  if (status == RiccatiStatus::iteration_limit) unsettled_ = true;
+  return status == RiccatiStatus::converged;
 }
 
 /// φ of each term at one sample; false where it isn't finite.
 bool FieldCost::hard(std::span<const double> w, std::size_t sample,
                      double* values) const {
   CovarianceMap::Solution at;
-  StateMatrix S, of_turn, exact;
+  StateMatrix S, of_turn;
+  Eigen::MatrixXd exact;
   std::fill_n(values, terms_.size(), 0.0);
   const bool by_information = combine_ == OrientationRule::information;
   const double share = 1 / static_cast<double>(turns_);
@@ -228,9 +237,12 @@ bool FieldCost::hard(std::span<const double> w, std::size_t sample,
     exact_rows(w, false, sample * turns_, exact);
   }
   for (std::size_t t = 0; t < (by_information ? 1 : turns_); ++t) {
-    const bool finite = by_information ? map_.solve(S, exact, at)
+    const bool finite = by_information ? settles(S, exact, at)
                                        : solve(w, false, sample * turns_ + t, at);
-    if (!finite) return false;
+    if (!finite) {
+      std::fill_n(values, terms_.size(), kInfinity);
+      return false;
+    }
     for (std::size_t k = 0; k < terms_.size(); ++k) {
       double largest = 0;
       for (const Atom& atom : atoms_of(terms_[k].metric, layout_, at.P))
@@ -252,13 +264,14 @@ bool FieldCost::soft(std::span<const double> w, double sharpness, std::size_t sa
   const double share = 1 / static_cast<double>(turns_);
   std::vector<CovarianceMap::Solution> at(count);
   if (by_information) {
-    StateMatrix S, of_turn, exact;
+    StateMatrix S, of_turn;
+    Eigen::MatrixXd exact;
     for (std::size_t t = 0; t < turns_; ++t) {
       information(w, sample * turns_ + t, of_turn);
       S = t == 0 ? StateMatrix(of_turn * share) : StateMatrix(S + of_turn * share);
     }
     exact_rows(w, true, sample * turns_, exact);
-    if (!map_.solve(S, exact, at[0])) return false;
+    if (!settles(S, exact, at[0])) return false;
   } else {
     for (std::size_t t = 0; t < turns_; ++t)
       if (!solve(w, true, sample * turns_ + t, at[t])) return false;
@@ -329,34 +342,64 @@ void FieldCost::accumulate(std::size_t sample, const Sample& part,
   }
 }
 
-double FieldCost::value(std::span<const double> w) {
+/// @param values samples × terms; +∞ where P∞ isn't finite
+double FieldCost::total(const std::vector<double>& values) const {
   const std::size_t count = terms_.size();
-  std::vector<double> sums(kParts * count, 0.0);
-  std::vector<char> finite(kParts, 1);
-  each_chunk([&](std::size_t c, std::size_t first, std::size_t end) {
-    std::vector<double> values(count);
-    for (std::size_t s = first; s < end && finite[c]; ++s) {
-      finite[c] = hard(w, s, values.data());
-      for (std::size_t k = 0; k < count; ++k) {
-        const double weight = terms_[k].samples[s];
-        double& sum = sums[c * count + k];
-        if (terms_[k].maximum)
-          sum = std::max(sum, weight > 0 ? values[k] : 0);
-        else
-          sum += weight * values[k];
-      }
-    }
-  });
-  if (std::find(finite.begin(), finite.end(), 0) != finite.end()) return kInfinity;
   double total = 0;
   for (std::size_t k = 0; k < count; ++k) {
+    const VarianceTerm& term = terms_[k];
     double of_term = 0;
-    for (std::size_t c = 0; c < kParts; ++c)
-      of_term = terms_[k].maximum ? std::max(of_term, sums[c * count + k])
-                                  : of_term + sums[c * count + k];
-    total += terms_[k].weight * of_term;
+    for (std::size_t s = 0; s < samples_; ++s) {
+      if (term.samples[s] == 0) continue;
+      const double value = values[s * count + k];
+      of_term =
+          term.maximum ? std::max(of_term, value) : of_term + term.samples[s] * value;
+    }
+    total += term.weight * of_term;
   }
   return total;
+}
+
+double FieldCost::value(std::span<const double> w) {
+  const std::size_t count = terms_.size();
+  std::vector<double> values(samples_ * count);
+  each_chunk([&](std::size_t, std::size_t first, std::size_t end) {
+    for (std::size_t s = first; s < end; ++s) hard(w, s, &values[s * count]);
+  });
+  return total(values);
+}
+
+std::vector<double> FieldCost::changed(std::span<const char> chosen,
+                                       std::span<const Change> changes) {
+  const std::size_t count = terms_.size();
+  const std::vector<double> w(chosen.begin(), chosen.end());
+  std::vector<double> before(samples_ * count);
+  each_chunk([&](std::size_t, std::size_t first, std::size_t end) {
+    for (std::size_t s = first; s < end; ++s) hard(w, s, &before[s * count]);
+  });
+  std::vector<double> costs(changes.size());
+#pragma omp parallel num_threads(threads_)
+  {
+    std::vector<double> own = w, values = before;
+#pragma omp for schedule(dynamic)
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      const auto each_seen = [&](auto&& body) {
+        for (const std::size_t c : {changes[i].in, changes[i].out})
+          if (c != Change::kNobody)
+            for (const std::uint32_t s : seen_by_[c]) body(s);
+      };
+      if (changes[i].in != Change::kNobody) own[changes[i].in] = 1;
+      if (changes[i].out != Change::kNobody) own[changes[i].out] = 0;
+      each_seen([&](std::size_t s) { hard(own, s, &values[s * count]); });
+      costs[i] = total(values);
+      each_seen([&](std::size_t s) {
+        std::copy_n(&before[s * count], count, &values[s * count]);
+      });
+      if (changes[i].in != Change::kNobody) own[changes[i].in] = w[changes[i].in];
+      if (changes[i].out != Change::kNobody) own[changes[i].out] = w[changes[i].out];
+    }
+  }
+  return costs;
 }
 
 bool FieldCost::tangent(std::span<const double> w, double sharpness, Tangent& out) {

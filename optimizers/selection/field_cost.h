@@ -1,7 +1,7 @@
 // The cost of a choice of candidates of a scene: variances over its samples.
 #pragma once
 
-#include <memory>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -41,6 +41,9 @@ class FieldCost final : public ChoiceCost {
 
   [[nodiscard]] std::size_t size() const override { return size_; }
   [[nodiscard]] double value(std::span<const double> w) override;
+  /// @cost of the samples that see what changes
+  [[nodiscard]] std::vector<double> changed(std::span<const char> chosen,
+                                            std::span<const Change> changes) override;
   bool tangent(std::span<const double> w, double sharpness, Tangent& out) override;
   [[nodiscard]] const std::vector<std::size_t>& whole_ones() const override {
     return whole_ones_;
@@ -50,15 +53,20 @@ class FieldCost final : public ChoiceCost {
   /// A sample whose variance isn't finite at w; samples() where there is none.
   [[nodiscard]] std::size_t blind_sample(std::span<const double> w);
   [[nodiscard]] std::size_t samples() const { return samples_; }
+  /// Whether some equation wasn't solved, so that what was found proves nothing.
+  [[nodiscard]] bool unsettled() const { return unsettled_; }
 
  private:
   struct Sample;  // what one sample adds
   void information(std::span<const double> w, std::size_t pose, StateMatrix& S) const;
   /// Rows without noise. @param fractions whether open candidates have theirs
   void exact_rows(std::span<const double> w, bool fractions, std::size_t pose,
-                  StateMatrix& rows) const;
+                  Eigen::MatrixXd& rows) const;
   bool solve(std::span<const double> w, bool fractions, std::size_t pose,
              CovarianceMap::Solution& out) const;
+  bool settles(const StateMatrix& S, const Eigen::MatrixXd& exact,
+               CovarianceMap::Solution& out) const;
+  [[nodiscard]] double total(const std::vector<double>& values) const;
   bool hard(std::span<const double> w, std::size_t sample, double* values) const;
   bool soft(std::span<const double> w, double sharpness, std::size_t sample,
             Sample& out) const;
@@ -72,8 +80,10 @@ class FieldCost final : public ChoiceCost {
   std::vector<VarianceTerm> terms_;
   CovarianceMap map_;
   CandidateInformation known_;
+  mutable std::atomic<bool> unsettled_ = false;
   std::vector<std::size_t> whole_ones_;
   std::vector<char> excluded_;
+  std::vector<std::vector<std::uint32_t>> seen_by_;  ///< samples that see a candidate
   std::size_t size_, samples_, turns_, packed_;
   int threads_;
   /// Of each term and sample, the scale of its kinks: φ where everything is chosen.

@@ -188,6 +188,10 @@ SelectResult select(const Scene& scene, PluginRegistry& plugins,
       options.progress({quantity.of(at.best), quantity.of(at.bound), at.nodes});
     };
   const BranchResult found = branch_and_bound(cost, q.rules, q.decisions, branch);
+  if (cost.unsettled())
+    throw std::invalid_argument(
+        "the steady state of some choices didn't settle, so that nothing is proven: "
+        "rows without noise may measure states that no noise drives");
 
   SelectResult result;
   for (std::size_t i = 0; i < n; ++i)

@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "field/exact_rows.h"
+
 namespace delos {
 namespace {
 
@@ -31,28 +33,32 @@ CovarianceMap::CovarianceMap(const System& system, bool whole_state)
   if (!sampling_.continuous) step_ = discretize(system.motion, sampling_.dt);
 }
 
-bool CovarianceMap::solve(const StateMatrix& S, const StateMatrix& exact,
-                          Solution& out) const {
+RiccatiStatus CovarianceMap::solve(const StateMatrix& S, const Eigen::MatrixXd& exact,
+                                   Solution& out) const {
   out.spectral = reducible_ && exact.rows() == 0;
   if (out.spectral) {
     out.form = spectral_form(L_, S);
-    if (out.form.unobservable > 0) return false;
+    if (out.form.unobservable > 0) return RiccatiStatus::unobservable;
     out.P = whole_state_
                 ? spectral_covariance(out.form, layout_.order, sampling_, kind_)
                 : StateMatrix(spectral_pose_covariance(out.form, layout_.order,
                                                        sampling_, kind_));
-    return true;
+    return RiccatiStatus::converged;
   }
   const Eigen::Index n = layout_.size();
-  out.measurement = {StateMatrix::Zero(n, n), StateMatrix::Zero(exact.rows(), n)};
+  out.measurement = {StateMatrix::Zero(n, n), StateMatrix(0, n)};
   out.measurement.information.topLeftCorner(S.rows(), S.cols()) = S;
-  out.measurement.exact.leftCols(exact.cols()) = exact;
+  for (Eigen::Index r = 0; r < exact.rows(); ++r) {
+    StateVector row = StateVector::Zero(n);
+    row.head(exact.cols()) = exact.row(r);
+    append_independent(row, out.measurement.exact);
+  }
   out.state = solve_doubling(step_, out.measurement);
-  if (out.state.status != RiccatiStatus::converged) return false;
+  if (out.state.status != RiccatiStatus::converged) return out.state.status;
   out.P = kind_ == CovarianceKind::prior ? out.state.prior : out.state.posterior;
   if (!whole_state_)
     out.P.conservativeResize(layout_.coordinates(), layout_.coordinates());
-  return true;
+  return RiccatiStatus::converged;
 }
 
 StateMatrix CovarianceMap::adjoint(const Solution& at, const StateMatrix& Y) const {

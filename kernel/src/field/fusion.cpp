@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "delos/riccati/cycle.h"
+#include "field/exact_rows.h"
 #include "field/measure.h"
 #include "riccati/linear.h"
 
@@ -70,22 +71,6 @@ void unpack(const double* packed, int lane, int columns, int n, StateMatrix& S) 
       S(i, j) = S(j, i) = packed[packed_index(i, j) * kLanes + lane];
     }
   }
-}
-
-/// Add a row to an orthonormal basis of rows unless it depends on them: a perfect
-/// measurement says no more when it is repeated.
-void append_independent(const StateVector& row, StateMatrix& basis) {
-  StateVector rest = row;
-  for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Kahan)
-    for (Eigen::Index r = 0; r < basis.rows(); ++r) {
-      rest -= basis.row(r).dot(rest) * basis.row(r).transpose();
-    }
-  }
-  const double norm = rest.norm();
-  if (!(norm > 1e-12 * row.norm())) return;
-  const Eigen::Index rows = basis.rows();
-  basis.conservativeResize(rows + 1, row.size());
-  basis.row(rows) = rest.transpose() / norm;
 }
 
 void set_state(const SteadyState& state, FusedState& out) {

@@ -31,9 +31,9 @@ class DELOS_API CovarianceMap {
   };
 
   /// @param S information of one update, or its rate, information_size() square
-  /// @param exact c×information_size(), rows measured without noise; 0×0: none
-  /// @returns false where P∞ isn't finite
-  bool solve(const StateMatrix& S, const StateMatrix& exact, Solution& out) const;
+  /// @param exact any number of rows measured without noise, information_size() columns
+  /// @returns converged where P∞ is finite; out.P is unspecified else
+  RiccatiStatus solve(const StateMatrix& S, const Eigen::MatrixXd& exact, Solution& out) const;
 
   /// ∂⟨Y, P∞⟩/∂S, as S, symmetric.
   /// @param Y as out.P of solve(), symmetric

@@ -67,14 +67,9 @@ struct SelectResult {
 /// @throws std::invalid_argument one sentence: its objective has no convex variance
 /// @throws std::invalid_argument one sentence: nothing fits, or a sample isn't
 ///         observable whatever is chosen
+/// @throws std::invalid_argument one sentence: a steady state didn't settle
 /// @throws std::invalid_argument as candidate_information()
 [[nodiscard]] SelectResult select(const Scene& scene, PluginRegistry& plugins,
                                   const SelectOptions& options);
-
-/// A point of the curve of value against count.
-struct CountPoint {
-  int count = 0;
-  SelectResult result;
-};
 
 }  // namespace delos
