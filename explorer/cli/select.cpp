@@ -1,17 +1,17 @@
 // delos select: a choice of candidates, and how far from the best possible it is.
-#include "delos/optimize/select.h"
-
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
+#include <cstdio>
 #include <iostream>
 #include <memory>
 
 #include "command.h"
+#include "delos/optimize/choices.h"
 #include "delos/output/format.h"
 #include "delos/output/write.h"
 #include "evaluation.h"
 #include "json.h"
+#include "select_report.h"
 #include "status_line.h"
 #include "summary.h"
 
@@ -23,93 +23,14 @@ struct SelectCommand {
   SelectOptions search;
   std::filesystem::path scene;
   std::vector<std::filesystem::path> out;
+  std::filesystem::path envelope;
+  std::string counts;
+  bool remove = false;
 };
 
 bool is_scene(const std::filesystem::path& file) {
   const std::string suffix = file.extension().string();
   return suffix == ".yaml" || suffix == ".yml";
-}
-
-std::vector<std::string> names_of(const SelectResult& result,
-                                  const std::vector<char>& flags) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < flags.size(); ++i)
-    if (flags[i]) names.push_back(result.all.candidates[i].name);
-  return names;
-}
-
-std::vector<std::string> chosen_names(const SelectResult& result) {
-  std::vector<std::string> names;
-  for (const std::size_t i : result.chosen)
-    names.push_back(result.all.candidates[i].name);
-  return names;
-}
-
-Json select_json(const SelectResult& result) {
-  Json fractions = Json::object();
-  for (std::size_t i = 0; i < result.fractions.size(); ++i)
-    if (result.fractions[i] > 1e-6)
-      fractions[result.all.candidates[i].name] = number(result.fractions[i]);
-  return {{"chosen", chosen_names(result)},
-          {"value", number(result.value)},
-          {"lower_bound", number(result.lower_bound)},
-          {"gap", number(result.gap)},
-          {"variance_gap", number(result.variance_gap)},
-          {"certified", result.quantity},
-          {"unit", result.unit},
-          {"samples", result.samples},
-          {"guess", number(result.guess)},
-          {"candidates", result.all.candidates.size()},
-          {"in_every", names_of(result, result.in_every)},
-          {"in_none", names_of(result, result.in_none)},
-          {"fractions", fractions},
-          {"nodes", result.nodes},
-          {"stop", to_string(result.stop)},
-          {"seconds", number(result.seconds)}};
-}
-
-void print_names(std::ostream& out, const char* label,
-                 const std::vector<std::string>& names) {
-  constexpr std::size_t kWidth = 78;
-  std::string line = std::string(14 - std::string_view(label).size(), ' ');
-  out << "  " << label;
-  std::size_t width = 2 + 14;
-  for (const std::string& name : names) {
-    if (width + name.size() + 1 > kWidth) {
-      out << "\n" << std::string(16, ' ');
-      width = 16;
-      line.clear();
-    }
-    out << line << name;
-    line = " ";
-    width += name.size() + 1;
-  }
-  out << "\n";
-}
-
-void print_selection(std::ostream& out, const SelectResult& r) {
-  const auto line = [&](const char* label) -> std::ostream& {
-    return out << "  " << std::left << std::setw(14) << label;
-  };
-  out << r.all.scene.name << ": " << r.chosen.size() << " of "
-      << counted(r.all.candidates.size(), "candidate") << "\n";
-  line("value") << format_quantity(r.value, r.unit, 4) << ", " << r.quantity << "\n";
-  line("lower bound") << format_quantity(r.lower_bound, r.unit, 4)
-                      << ": no choice that the scene allows has less\n";
-  line("gap") << std::setprecision(3) << 100 * r.gap << " %"
-              << (r.unit.empty() ? "" : ", of variances ");
-  if (!r.unit.empty()) out << std::setprecision(3) << 100 * r.variance_gap << " %";
-  out << ", after " << r.nodes << " nodes and " << r.seconds << " s\n";
-  print_names(out, "chosen", chosen_names(r));
-  std::vector<std::string> every;
-  for (std::size_t i = 0; i < r.in_every.size(); ++i)
-    if (r.in_every[i] && !r.all.candidates[i].kept)
-      every.push_back(r.all.candidates[i].name);
-  if (!every.empty()) print_names(out, "in every one", every);
-  const auto none = std::count(r.in_none.begin(), r.in_none.end(), 1);
-  if (none > 0)
-    line("in none") << counted(static_cast<std::size_t>(none), "candidate")
-                    << " of the choices that are as good\n";
 }
 
 /// The best so far and its bound, on a line of stderr.
@@ -129,6 +50,50 @@ class BoundLine {
   StatusLine line_;
 };
 
+template <class Print>
+void show(const SelectCommand& command, const Json& document, Print&& print) {
+  if (command.options.json)
+    std::cout << document.dump(2) << "\n";
+  else
+    print();
+}
+
+/// "4..12"
+std::pair<int, int> counts_of(const std::string& text) {
+  int from = 0, to = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%d..%d%c", &from, &to, &rest) != 2)
+    throw Failure{kUsage,
+                  "--counts: expected two counts as in 4..12, not '" + text + "'"};
+  return {from, to};
+}
+
+void write_envelope(const SelectCommand& command, const Scene& scene,
+                    PluginRegistry& plugins) {
+  const Field field = selection_envelope(scene, plugins, command.search);
+  const std::string problem = write_field(field, command.envelope, {});
+  if (!problem.empty()) throw Failure{kDiagnostics, problem};
+}
+
+/// The scene of what was chosen, and its field.
+void write_chosen(const SelectCommand& command, const SelectResult& result,
+                  const LoadedScene& loaded, const Interrupt& interrupt) {
+  PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const Scene scene = chosen_scene(result.all, result.chosen);
+  std::optional<Evaluation> evaluation;
+  for (const auto& file : command.out) {
+    std::string problem;
+    if (is_scene(file)) {
+      problem = save_scene(scene, command.scene.parent_path(), file);
+    } else {
+      const LoadedScene chosen{scene, build_system(scene, plugins), loaded.metric};
+      if (!evaluation) evaluation = evaluate_scene(chosen, command.options, interrupt);
+      problem = write_evaluation(*evaluation, scene, file, {});
+    }
+    if (!problem.empty()) throw Failure{kDiagnostics, problem};
+  }
+}
+
 int run(SelectCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
@@ -145,32 +110,36 @@ int run(SelectCommand& command) {
   command.search.progress = [&](const SelectProgress& at) {
     line.update(at, loaded.metric.unit);
   };
-  SelectResult result;
-  try {
-    result = select(loaded.scene, plugins, command.search);
-  } catch (const std::invalid_argument& refusal) {
-    line.clear();
-    throw Failure{kDiagnostics, command.scene.string() + ": " + refusal.what()};
-  }
-  line.clear();
-  if (command.options.json)
-    std::cout << select_json(result).dump(2) << "\n";
-  else
-    print_selection(std::cout, result);
-
-  const Scene scene = chosen_scene(result.all, result.chosen);
-  std::optional<Evaluation> evaluation;
-  for (const auto& file : command.out) {
-    std::string problem;
-    if (is_scene(file)) {
-      problem = save_scene(scene, command.scene.parent_path(), file);
-    } else {
-      const LoadedScene chosen{scene, build_system(scene, plugins), loaded.metric};
-      if (!evaluation) evaluation = evaluate_scene(chosen, command.options, interrupt);
-      problem = write_evaluation(*evaluation, scene, file, {});
+  const auto refusable = [&](auto&& body) {
+    try {
+      return body();
+    } catch (const std::invalid_argument& refusal) {
+      line.clear();
+      throw Failure{kDiagnostics, command.scene.string() + ": " + refusal.what()};
     }
-    if (!problem.empty()) throw Failure{kDiagnostics, problem};
+  };
+  if (!command.envelope.empty())
+    refusable([&] { write_envelope(command, loaded.scene, plugins); });
+  if (!command.counts.empty()) {
+    const auto [from, to] = counts_of(command.counts);
+    const CountCurve curve = refusable(
+        [&] { return count_curve(loaded.scene, plugins, command.search, from, to); });
+    line.clear();
+    show(command, curve_json(curve), [&] { print_curve(std::cout, curve); });
+    return interrupt.requested() ? kCancelled : kDone;
   }
+  if (command.remove) {
+    const RemovalOrder order =
+        refusable([&] { return removal_order(loaded.scene, plugins, command.search); });
+    line.clear();
+    show(command, removal_json(order), [&] { print_removals(std::cout, order); });
+    return interrupt.requested() ? kCancelled : kDone;
+  }
+  const SelectResult result =
+      refusable([&] { return select(loaded.scene, plugins, command.search); });
+  line.clear();
+  show(command, select_json(result), [&] { print_selection(std::cout, result); });
+  write_chosen(command, result, loaded, interrupt);
   if (result.stop != SelectStop::cancelled) return kDone;
   std::cerr << "delos: stopped; this is the best so far\n";
   return kCancelled;
@@ -202,6 +171,13 @@ void add_select_command(CLI::App& program, int& exit_code) {
          "Write the scene with what was chosen (.yaml), for optimize to polish, "
          "or its field (.png, .csv, …); repeatable")
       ->allow_extra_args(false);
+  app->add_option("--counts", command->counts,
+                  "Instead: the best value and its bound for each count, as 4..12");
+  app->add_flag("--remove", command->remove,
+                "Instead: the order in which to do without candidates");
+  app->add_option("--envelope", command->envelope,
+                  "Write the field of the least that any choice could reach at each "
+                  "sample by itself (.png, .csv, …)");
   add_scene_options(*app, command->options);
   app->footer(
       "Examples:\n"
@@ -209,6 +185,8 @@ void add_select_command(CLI::App& program, int& exit_code) {
       "  delos select scenes/12-ceiling-anchors.yaml --set selection.count=20 --json\n"
       "  delos select scenes/12-ceiling-anchors.yaml --out chosen.yaml --out "
       "chosen.png\n"
+      "  delos select scenes/hiball/strips.yaml --remove\n"
+      "  delos select scenes/13-camera-spots.yaml --counts 3..8\n"
       "  delos optimize chosen.yaml                   then move what was chosen");
   app->callback([command, &exit_code] { exit_code = run(*command); });
 }

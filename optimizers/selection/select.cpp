@@ -3,149 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
-#include "delos/field/evaluate.h"
-#include "delos/scene/units.h"
 #include "selection/branch_and_bound.h"
-#include "selection/field_cost.h"
-#include "src/guess.h"
-#include "src/search_samples.h"
+#include "selection/question.h"
 
 namespace delos {
-namespace {
-
-/// A scene as something to choose from.
-struct Question {
-  CandidateScene all;
-  System system;
-  SearchSamples samples;
-  std::vector<VarianceTerm> terms;
-  double guess = 0;
-  ChoiceRules rules;
-  std::vector<Decision> decisions;
-};
-
-std::string coordinates(const Eigen::Vector3d& p) {
-  return '(' + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ')';
-}
-
-std::vector<VarianceTerm> variance_terms(const Scene& scene, const System& system,
-                                         const SearchSamples& samples) {
-  std::vector<unsigned char> inside;
-  if (system.in_world.triangles() > 0) {
-    // Where solids are doesn't depend on the devices.
-    System without = system;
-    without.devices.resize(1);
-    const auto coverage =
-        std::get<Metric>(parse_metric("coverage", scene.motion.layout));
-    inside =
-        evaluate_field(without, samples.samples, scene.orientations, coverage).inside;
-  }
-  std::vector<ObjectiveTerm> written = scene.objective.terms;
-  if (written.empty()) written.emplace_back();
-  std::vector<VarianceTerm> terms;
-  for (const ObjectiveTerm& term : written) {
-    const auto metric = std::get<Metric>(parse_metric(
-        term.metric.empty() ? scene.metric : term.metric, scene.motion.layout));
-    const std::string problem = variance_problem(metric);
-    if (!problem.empty()) throw std::invalid_argument(problem);
-    if (term.maximize ||
-        (term.reduction != Reduction::mean && term.reduction != Reduction::maximum))
-      throw std::invalid_argument(
-          "a selection minimizes the mean or the maximum over samples, or a weighted "
-          "sum of such; other objectives have no bound");
-    terms.push_back({metric, term.weight, term.reduction == Reduction::maximum,
-                     term_weights(term, scene, samples, inside)});
-  }
-  return terms;
-}
-
-ChoiceRules rules_of(const CandidateScene& all) {
-  ChoiceRules rules;
-  const Selection& selection = all.scene.selection;
-  for (const Candidate& c : all.candidates) {
-    rules.cost.push_back(selection.count ? 1 : c.cost);
-    rules.spot.push_back(c.spot);
-  }
-  rules.budget = selection.count ? *selection.count : *selection.budget;
-  return rules;
-}
-
-std::vector<Decision> decisions_of(const CandidateScene& all) {
-  std::vector<Decision> decisions;
-  for (const Candidate& c : all.candidates)
-    decisions.push_back(c.kept       ? Decision::in
-                        : c.left_out ? Decision::out
-                                     : Decision::open);
-  return decisions;
-}
-
-Question question_of(const Scene& scene, PluginRegistry& plugins,
-                     const SelectOptions& options) {
-  if (scene.selection.candidates.empty())
-    throw std::invalid_argument(
-        "the scene has no selection; say what can be chosen, for example\n"
-        "selection:\n  count: 4\n  candidates:\n    - devices: \"*\"");
-  if (!scene.selection.count && !scene.selection.budget)
-    throw std::invalid_argument("the selection has neither count nor budget");
-  Question q;
-  auto all = write_out_candidates(scene);
-  if (const auto* problem = std::get_if<std::string>(&all))
-    throw std::invalid_argument(*problem);
-  q.all = std::get<0>(std::move(all));
-  q.system = build_system(q.all.scene, plugins);
-  const std::string problem = covariance_map_problem(q.system);
-  if (!problem.empty()) throw std::invalid_argument(problem);
-  q.samples = search_samples(scene, options.samples);
-  q.terms = variance_terms(scene, q.system, q.samples);
-  q.guess = scene.objective.guess > 0
-                ? scene.objective.guess
-                : typical_guess(q.system, q.samples.samples, scene.orientations);
-  q.rules = rules_of(q.all);
-  q.decisions = decisions_of(q.all);
-  const ChoicePolytope polytope(q.rules, q.decisions);
-  if (!polytope.feasible())
-    throw std::invalid_argument("two candidates that are kept exclude each other");
-  const auto is_in = [](Decision d) { return d == Decision::in; };
-  if (polytope.open().empty() &&
-      std::none_of(q.decisions.begin(), q.decisions.end(), is_in))
-    throw std::invalid_argument("no candidate fits into the budget");
-  return q;
-}
-
-/// What is certified, as a standard deviation where there is one.
-struct Quantity {
-  bool root = false;
-  double weight = 1;
-  std::string text, unit;
-  [[nodiscard]] double of(double cost) const {
-    return root ? std::sqrt(cost / weight) : cost;
-  }
-};
-
-Quantity quantity_of(const Question& q) {
-  const std::string over = " over " + std::to_string(q.samples.set.size()) + " samples";
-  Quantity quantity;
-  std::string sum;
-  for (const VarianceTerm& term : q.terms) {
-    const bool root = is_deviation(term.metric);
-    sum += (sum.empty() ? "" : " + ") +
-           (term.weight == 1 ? std::string() : shortest(term.weight) + "·") +
-           (term.maximum ? "maximum of " : "mean of ") + term.metric.name +
-           (root ? "²" : "");
-    if (q.terms.size() > 1) continue;
-    quantity.root = root;
-    quantity.weight = term.weight;
-    quantity.unit = term.metric.unit;
-    if (root && term.maximum) sum = "maximum of " + term.metric.name;
-    if (root && !term.maximum) sum = "root of the mean of " + term.metric.name + "²";
-  }
-  quantity.text = sum + over;
-  return quantity;
-}
-
-}  // namespace
 
 const char* to_string(SelectStop stop) {
   switch (stop) {
@@ -168,30 +30,20 @@ SelectResult select(const Scene& scene, PluginRegistry& plugins,
   };
   Question q = question_of(scene, plugins, options);
   const Quantity quantity = quantity_of(q);
-  FieldCost cost(q.system, q.all, q.samples.samples, scene.orientations, q.terms,
-                 guess_information(q.system, q.guess), options.threads);
-  const std::size_t n = q.all.candidates.size();
-  const std::size_t blind = cost.blind_sample(std::vector<double>(n, 1.0));
-  if (blind < cost.samples())
-    throw std::invalid_argument(
-        "at " + coordinates(q.samples.samples.points[blind]) +
-        " the state isn't observable even if every candidate is chosen");
+  const std::unique_ptr<FieldCost> cost = cost_of(q, options.threads);
+  const std::size_t n = cost->size();
 
   const auto cancelled = [&] { return options.cancel && *options.cancel; };
   BranchOptions branch;
-  // Half of a small relative change of a variance is that of its root.
-  branch.gap = quantity.root ? (1 + options.gap) * (1 + options.gap) - 1 : options.gap;
+  branch.gap = quantity.cost_gap(options.gap);
   branch.seed = options.seed;
   branch.stop = [&] { return cancelled() || elapsed() > options.seconds; };
   if (options.progress)
     branch.progress = [&](const BranchProgress& at) {
       options.progress({quantity.of(at.best), quantity.of(at.bound), at.nodes});
     };
-  const BranchResult found = branch_and_bound(cost, q.rules, q.decisions, branch);
-  if (cost.unsettled())
-    throw std::invalid_argument(
-        "the steady state of some choices didn't settle, so that nothing is proven: "
-        "rows without noise may measure states that no noise drives");
+  const BranchResult found = branch_and_bound(*cost, q.rules, q.decisions, branch);
+  check_settled(*cost);
 
   SelectResult result;
   for (std::size_t i = 0; i < n; ++i)
@@ -203,7 +55,7 @@ SelectResult select(const Scene& scene, PluginRegistry& plugins,
   result.gap = result.value / result.lower_bound - 1;
   result.variance_gap = found.best.cost / found.bound - 1;
   result.guess = q.guess;
-  result.samples = cost.samples();
+  result.samples = cost->samples();
   result.fractions = found.root.w;
   result.in_every.assign(n, 0);
   result.in_none.assign(n, 0);

@@ -1,0 +1,155 @@
+#include "select_report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "delos/output/format.h"
+#include "summary.h"
+
+namespace delos::cli {
+namespace {
+
+std::vector<std::string> names_of(const SelectResult& result,
+                                  const std::vector<char>& flags) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (flags[i]) names.push_back(result.all.candidates[i].name);
+  return names;
+}
+
+std::vector<std::string> chosen_names(const CandidateScene& all,
+                                      const std::vector<std::size_t>& chosen) {
+  std::vector<std::string> names;
+  for (const std::size_t i : chosen) names.push_back(all.candidates[i].name);
+  return names;
+}
+
+/// value/bound − 1; 0 where both are 0.
+double gap_of(double value, double bound) {
+  return value > bound ? value / bound - 1 : 0;
+}
+
+std::string percent(double part) {
+  std::ostringstream text;
+  text << std::setprecision(3) << 100 * part << " %";
+  return text.str();
+}
+
+void print_names(std::ostream& out, const char* label,
+                 const std::vector<std::string>& names) {
+  constexpr std::size_t kWidth = 78;
+  std::string line = std::string(14 - std::string_view(label).size(), ' ');
+  out << "  " << label;
+  std::size_t width = 2 + 14;
+  for (const std::string& name : names) {
+    if (width + name.size() + 1 > kWidth) {
+      out << "\n" << std::string(16, ' ');
+      width = 16;
+      line.clear();
+    }
+    out << line << name;
+    line = " ";
+    width += name.size() + 1;
+  }
+  out << "\n";
+}
+
+}  // namespace
+
+Json select_json(const SelectResult& result) {
+  Json fractions = Json::object();
+  for (std::size_t i = 0; i < result.fractions.size(); ++i)
+    if (result.fractions[i] > 1e-6)
+      fractions[result.all.candidates[i].name] = number(result.fractions[i]);
+  return {{"chosen", chosen_names(result.all, result.chosen)},
+          {"value", number(result.value)},
+          {"lower_bound", number(result.lower_bound)},
+          {"gap", number(result.gap)},
+          {"variance_gap", number(result.variance_gap)},
+          {"certified", result.quantity},
+          {"unit", result.unit},
+          {"samples", result.samples},
+          {"guess", number(result.guess)},
+          {"candidates", result.all.candidates.size()},
+          {"in_every", names_of(result, result.in_every)},
+          {"in_none", names_of(result, result.in_none)},
+          {"fractions", fractions},
+          {"nodes", result.nodes},
+          {"stop", to_string(result.stop)},
+          {"seconds", number(result.seconds)}};
+}
+
+void print_selection(std::ostream& out, const SelectResult& r) {
+  const auto line = [&](const char* label) -> std::ostream& {
+    return out << "  " << std::left << std::setw(14) << label;
+  };
+  out << r.all.scene.name << ": " << r.chosen.size() << " of "
+      << counted(r.all.candidates.size(), "candidate") << "\n";
+  line("value") << format_quantity(r.value, r.unit, 4) << ", " << r.quantity << "\n";
+  line("lower bound") << format_quantity(r.lower_bound, r.unit, 4)
+                      << ": no choice that the scene allows has less\n";
+  line("gap") << std::setprecision(3) << 100 * r.gap << " %"
+              << (r.unit.empty() ? "" : ", of variances ");
+  if (!r.unit.empty()) out << std::setprecision(3) << 100 * r.variance_gap << " %";
+  out << ", after " << r.nodes << " nodes and " << r.seconds << " s\n";
+  print_names(out, "chosen", chosen_names(r.all, r.chosen));
+  std::vector<std::string> every;
+  for (std::size_t i = 0; i < r.in_every.size(); ++i)
+    if (r.in_every[i] && !r.all.candidates[i].kept)
+      every.push_back(r.all.candidates[i].name);
+  if (!every.empty()) print_names(out, "in every one", every);
+  const auto none = std::count(r.in_none.begin(), r.in_none.end(), 1);
+  if (none > 0)
+    line("in none") << counted(static_cast<std::size_t>(none), "candidate")
+                    << " of the choices that are as good\n";
+}
+
+Json curve_json(const CountCurve& curve) {
+  Json points = Json::array();
+  for (const CountPoint& p : curve.points)
+    points.push_back({{"count", p.count},
+                      {"value", number(p.value)},
+                      {"lower_bound", number(p.lower_bound)},
+                      {"gap", number(gap_of(p.value, p.lower_bound))},
+                      {"chosen", chosen_names(curve.all, p.chosen)}});
+  return {{"certified", curve.quantity}, {"unit", curve.unit}, {"curve", points}};
+}
+
+void print_curve(std::ostream& out, const CountCurve& curve) {
+  out << curve.all.scene.name << ": " << curve.quantity << "\n"
+      << "  count  found       at best     gap\n";
+  for (const CountPoint& p : curve.points)
+    out << "  " << std::left << std::setw(7) << p.count << std::setw(12)
+        << format_quantity(p.value, curve.unit, 4) << std::setw(12)
+        << format_quantity(p.lower_bound, curve.unit, 4)
+        << percent(gap_of(p.value, p.lower_bound)) << "\n";
+}
+
+Json removal_json(const RemovalOrder& order) {
+  Json removals = Json::array();
+  for (const Removal& r : order.removals)
+    removals.push_back({{"remove", order.all.candidates[r.candidate].name},
+                        {"left", r.left},
+                        {"value", number(r.value)},
+                        {"lower_bound", number(r.lower_bound)}});
+  return {{"certified", order.quantity},
+          {"unit", order.unit},
+          {"all_chosen", number(order.all_chosen)},
+          {"removals", removals}};
+}
+
+void print_removals(std::ostream& out, const RemovalOrder& order) {
+  out << order.all.scene.name << ": " << order.quantity << "\n  with all "
+      << order.all.candidates.size() << "  "
+      << format_quantity(order.all_chosen, order.unit, 4) << "\n"
+      << "  left   value       at best     by removing\n";
+  for (const Removal& r : order.removals)
+    out << "  " << std::left << std::setw(7) << r.left << std::setw(12)
+        << format_quantity(r.value, order.unit, 4) << std::setw(12)
+        << format_quantity(r.lower_bound, order.unit, 4)
+        << order.all.candidates[r.candidate].name << "\n";
+}
+
+}  // namespace delos::cli

@@ -1,0 +1,155 @@
+#include "selection/question.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "delos/field/evaluate.h"
+#include "delos/scene/units.h"
+#include "src/guess.h"
+
+namespace delos {
+namespace {
+
+std::string coordinates(const Eigen::Vector3d& p) {
+  return '(' + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ')';
+}
+
+std::vector<VarianceTerm> variance_terms(const Scene& scene, const System& system,
+                                         const SearchSamples& samples) {
+  std::vector<unsigned char> inside;
+  if (system.in_world.triangles() > 0) {
+    // Where solids are doesn't depend on the devices.
+    System without = system;
+    without.devices.resize(1);
+    const auto coverage =
+        std::get<Metric>(parse_metric("coverage", scene.motion.layout));
+    inside =
+        evaluate_field(without, samples.samples, scene.orientations, coverage).inside;
+  }
+  std::vector<ObjectiveTerm> written = scene.objective.terms;
+  if (written.empty()) written.emplace_back();
+  std::vector<VarianceTerm> terms;
+  for (const ObjectiveTerm& term : written) {
+    const auto metric = std::get<Metric>(parse_metric(
+        term.metric.empty() ? scene.metric : term.metric, scene.motion.layout));
+    const std::string problem = variance_problem(metric);
+    if (!problem.empty()) throw std::invalid_argument(problem);
+    if (term.maximize ||
+        (term.reduction != Reduction::mean && term.reduction != Reduction::maximum))
+      throw std::invalid_argument(
+          "a selection minimizes the mean or the maximum over samples, or a weighted "
+          "sum of such; other objectives have no bound");
+    terms.push_back({metric, term.weight, term.reduction == Reduction::maximum,
+                     term_weights(term, scene, samples, inside)});
+  }
+  return terms;
+}
+
+ChoiceRules rules_of(const CandidateScene& all) {
+  const Selection& selection = all.scene.selection;
+  if (selection.count) return rules_for(all, *selection.count);
+  ChoiceRules rules;
+  for (const Candidate& c : all.candidates) {
+    rules.cost.push_back(c.cost);
+    rules.spot.push_back(c.spot);
+  }
+  rules.budget = *selection.budget;
+  return rules;
+}
+
+std::vector<Decision> decisions_of(const CandidateScene& all) {
+  std::vector<Decision> decisions;
+  for (const Candidate& c : all.candidates)
+    decisions.push_back(c.kept       ? Decision::in
+                        : c.left_out ? Decision::out
+                                     : Decision::open);
+  return decisions;
+}
+
+}  // namespace
+
+Question question_of(const Scene& scene, PluginRegistry& plugins,
+                     const SelectOptions& options) {
+  if (scene.selection.candidates.empty())
+    throw std::invalid_argument(
+        "the scene has no selection; say what can be chosen, for example\n"
+        "selection:\n  count: 4\n  candidates:\n    - devices: \"*\"");
+  if (!scene.selection.count && !scene.selection.budget)
+    throw std::invalid_argument("the selection has neither count nor budget");
+  Question q;
+  auto all = write_out_candidates(scene);
+  if (const auto* problem = std::get_if<std::string>(&all))
+    throw std::invalid_argument(*problem);
+  q.all = std::get<0>(std::move(all));
+  q.system = build_system(q.all.scene, plugins);
+  const std::string problem = covariance_map_problem(q.system);
+  if (!problem.empty()) throw std::invalid_argument(problem);
+  q.samples = search_samples(scene, options.samples);
+  q.terms = variance_terms(scene, q.system, q.samples);
+  q.guess = scene.objective.guess > 0
+                ? scene.objective.guess
+                : typical_guess(q.system, q.samples.samples, scene.orientations);
+  q.rules = rules_of(q.all);
+  q.decisions = decisions_of(q.all);
+  const ChoicePolytope polytope(q.rules, q.decisions);
+  if (!polytope.feasible())
+    throw std::invalid_argument("two candidates that are kept exclude each other");
+  const auto is_in = [](Decision d) { return d == Decision::in; };
+  if (polytope.open().empty() &&
+      std::none_of(q.decisions.begin(), q.decisions.end(), is_in))
+    throw std::invalid_argument("no candidate fits into the budget");
+  return q;
+}
+
+Quantity quantity_of(const Question& q) {
+  const std::string over = " over " + std::to_string(q.samples.set.size()) + " samples";
+  Quantity quantity;
+  std::string sum;
+  for (const VarianceTerm& term : q.terms) {
+    const bool root = is_deviation(term.metric);
+    sum += (sum.empty() ? "" : " + ") +
+           (term.weight == 1 ? std::string() : shortest(term.weight) + "·") +
+           (term.maximum ? "maximum of " : "mean of ") + term.metric.name +
+           (root ? "²" : "");
+    if (q.terms.size() > 1) continue;
+    quantity.root = root;
+    quantity.weight = term.weight;
+    quantity.unit = term.metric.unit;
+    if (root && term.maximum) sum = "maximum of " + term.metric.name;
+    if (root && !term.maximum) sum = "root of the mean of " + term.metric.name + "²";
+  }
+  quantity.text = sum + over;
+  return quantity;
+}
+
+ChoiceRules rules_for(const CandidateScene& all, int count) {
+  ChoiceRules rules;
+  for (const Candidate& c : all.candidates) {
+    rules.cost.push_back(1);
+    rules.spot.push_back(c.spot);
+  }
+  rules.budget = count;
+  return rules;
+}
+
+std::unique_ptr<FieldCost> cost_of(const Question& q, int threads) {
+  auto cost = std::make_unique<FieldCost>(
+      q.system, q.all, q.samples.samples, q.all.scene.orientations, q.terms,
+      guess_information(q.system, q.guess), threads);
+  const std::size_t blind = cost->blind_sample(std::vector<double>(cost->size(), 1.0));
+  if (blind < cost->samples())
+    throw std::invalid_argument(
+        "at " + coordinates(q.samples.samples.points[blind]) +
+        " the state isn't observable even if every candidate is chosen");
+  return cost;
+}
+
+void check_settled(const FieldCost& cost) {
+  if (cost.unsettled())
+    throw std::invalid_argument(
+        "the steady state of some choices didn't settle, so that nothing is proven: "
+        "rows without noise may measure states that no noise drives");
+}
+
+}  // namespace delos
