@@ -116,6 +116,9 @@ int run(SelectCommand& command) {
     } catch (const std::invalid_argument& refusal) {
       line.clear();
       throw Failure{kDiagnostics, command.scene.string() + ": " + refusal.what()};
+    } catch (const std::runtime_error& failure) {
+      line.clear();
+      throw Failure{kDiagnostics, failure.what()};
     }
   };
   if (!command.envelope.empty())
@@ -171,6 +174,8 @@ void add_select_command(CLI::App& program, int& exit_code) {
          "Write the scene with what was chosen (.yaml), for optimize to polish, "
          "or its field (.png, .csv, …); repeatable")
       ->allow_extra_args(false);
+  app->add_option("--study", command->search.study,
+                  "Keep the search in this file, and go on from it where it exists");
   app->add_option("--counts", command->counts,
                   "Instead: the best value and its bound for each count, as 4..12");
   app->add_flag("--remove", command->remove,

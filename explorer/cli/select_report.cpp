@@ -119,10 +119,10 @@ Json curve_json(const CountCurve& curve) {
 
 void print_curve(std::ostream& out, const CountCurve& curve) {
   out << curve.all.scene.name << ": " << curve.quantity << "\n"
-      << "  count  found       at best     gap\n";
+      << "  count  found         at best       gap\n";
   for (const CountPoint& p : curve.points)
-    out << "  " << std::left << std::setw(7) << p.count << std::setw(12)
-        << format_quantity(p.value, curve.unit, 4) << std::setw(12)
+    out << "  " << std::left << std::setw(7) << p.count << std::setw(14)
+        << format_quantity(p.value, curve.unit, 4) << std::setw(14)
         << format_quantity(p.lower_bound, curve.unit, 4)
         << percent(gap_of(p.value, p.lower_bound)) << "\n";
 }
@@ -144,10 +144,10 @@ void print_removals(std::ostream& out, const RemovalOrder& order) {
   out << order.all.scene.name << ": " << order.quantity << "\n  with all "
       << order.all.candidates.size() << "  "
       << format_quantity(order.all_chosen, order.unit, 4) << "\n"
-      << "  left   value       at best     by removing\n";
+      << "  left   value         at best       by removing\n";
   for (const Removal& r : order.removals)
-    out << "  " << std::left << std::setw(7) << r.left << std::setw(12)
-        << format_quantity(r.value, order.unit, 4) << std::setw(12)
+    out << "  " << std::left << std::setw(7) << r.left << std::setw(14)
+        << format_quantity(r.value, order.unit, 4) << std::setw(14)
         << format_quantity(r.lower_bound, order.unit, 4)
         << order.all.candidates[r.candidate].name << "\n";
 }

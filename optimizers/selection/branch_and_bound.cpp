@@ -1,6 +1,7 @@
 #include "selection/branch_and_bound.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -9,17 +10,12 @@
 namespace delos {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Choices that have some decisions in common.
-struct Node {
-  double bound;
-  std::size_t number;  ///< when it was made: ties are broken by it
-  std::vector<Decision> decisions;
-  std::vector<double> w;  ///< where the relaxation was least
-};
 struct Later {
-  bool operator()(const Node& a, const Node& b) const {
+  bool operator()(const BranchNode& a, const BranchNode& b) const {
     return a.bound != b.bound ? a.bound > b.bound : a.number > b.number;
   }
 };
@@ -31,10 +27,26 @@ class Search {
     result_.best.cost = kInfinity;
   }
 
-  BranchResult run(const std::vector<Decision>& decisions) {
+  BranchResult begin(const std::vector<Decision>& decisions) {
     plant(decisions);
+    return run();
+  }
+
+  BranchResult resume(BranchState state) {
+    result_.best = std::move(state.best);
+    result_.nodes = state.nodes;
+    result_.root = std::move(state.root);
+    closed_ = state.closed;
+    for (BranchNode& node : state.open) open_.push(std::move(node));
+    return run();
+  }
+
+ private:
+  [[nodiscard]] bool stopped() const { return options_.stop && options_.stop(); }
+
+  BranchResult run() {
     while (!open_.empty() && !stopped()) {
-      Node node = open_.top();
+      BranchNode node = open_.top();
       open_.pop();
       if (node.bound >= cutoff()) {
         close(node.bound);
@@ -42,20 +54,29 @@ class Search {
       }
       const std::size_t at = branch_at(node);
       for (const Decision decision : {Decision::in, Decision::out}) {
-        Node child = node;
+        BranchNode child = node;
         child.decisions[at] = decision;
         visit(std::move(child));
       }
       tell();
+      if (Clock::now() - saved_ > std::chrono::duration<double>(options_.save_every))
+        save();
     }
+    save();
     result_.bound = bound();
     result_.stopped = !open_.empty();
     tell();
     return std::move(result_);
   }
 
- private:
-  [[nodiscard]] bool stopped() const { return options_.stop && options_.stop(); }
+  void save() {
+    if (!options_.save) return;
+    BranchState state{result_.best, closed_, result_.nodes, {}, result_.root};
+    auto open = open_;
+    for (; !open.empty(); open.pop()) state.open.push_back(open.top());
+    options_.save(state);
+    saved_ = Clock::now();
+  }
 
   /// Nodes whose bound reaches that needn't be looked into.
   [[nodiscard]] double cutoff() const {
@@ -110,7 +131,7 @@ class Search {
             true);
       tell();
     }
-    Node root{result_.root.bound, result_.nodes++, polytope.decisions(), w};
+    BranchNode root{result_.root.bound, result_.nodes++, polytope.decisions(), w};
     decide(root, result_.root);
     if (root.bound >= cutoff())
       close(root.bound);
@@ -127,7 +148,7 @@ class Search {
   }
 
   /// Decide what the bound's slopes prove: the other way costs too much.
-  void decide(Node& node, const Relaxation& relaxation) {
+  void decide(BranchNode& node, const Relaxation& relaxation) {
     const auto& linear = relaxation.linear;
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       if (node.decisions[i] != Decision::open) continue;
@@ -146,7 +167,7 @@ class Search {
     }
   }
 
-  void visit(Node node) {
+  void visit(BranchNode node) {
     node.number = result_.nodes++;
     const ChoicePolytope polytope(rules_, node.decisions);
     if (!polytope.feasible()) return;
@@ -169,7 +190,7 @@ class Search {
   }
 
   /// Everything is decided.
-  void leaf(const Node& node) {
+  void leaf(const BranchNode& node) {
     Choice choice{std::vector<char>(rules_.size()), 0};
     for (std::size_t i = 0; i < rules_.size(); ++i)
       choice.chosen[i] = node.decisions[i] == Decision::in;
@@ -180,7 +201,7 @@ class Search {
   }
 
   /// The most undecided candidate; first those that can't be in by a fraction.
-  [[nodiscard]] std::size_t branch_at(const Node& node) const {
+  [[nodiscard]] std::size_t branch_at(const BranchNode& node) const {
     for (const std::size_t i : cost_.whole_ones())
       if (node.decisions[i] == Decision::open) return i;
     std::size_t at = 0;
@@ -200,8 +221,9 @@ class Search {
   const ChoiceRules& rules_;
   const BranchOptions& options_;
   BranchResult result_;
-  std::priority_queue<Node, std::vector<Node>, Later> open_;
+  std::priority_queue<BranchNode, std::vector<BranchNode>, Later> open_;
   double closed_ = kInfinity;
+  Clock::time_point saved_ = Clock::now();
 };
 
 }  // namespace
@@ -209,7 +231,12 @@ class Search {
 BranchResult branch_and_bound(ChoiceCost& cost, const ChoiceRules& rules,
                               const std::vector<Decision>& decisions,
                               const BranchOptions& options) {
-  return Search(cost, rules, options).run(decisions);
+  return Search(cost, rules, options).begin(decisions);
+}
+
+BranchResult resume_branches(ChoiceCost& cost, const ChoiceRules& rules,
+                             BranchState state, const BranchOptions& options) {
+  return Search(cost, rules, options).resume(std::move(state));
 }
 
 }  // namespace delos

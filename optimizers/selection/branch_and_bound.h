@@ -18,6 +18,23 @@ struct BranchProgress {
   std::size_t nodes = 0;
 };
 
+/// Choices that have some decisions in common, not yet looked into.
+struct BranchNode {
+  double bound = 0;        ///< none of them costs less
+  std::size_t number = 0;  ///< when it was made: ties are broken by it
+  std::vector<Decision> decisions;
+  std::vector<double> w;  ///< where the relaxation was least
+};
+
+/// A search that can be taken up again.
+struct BranchState {
+  Choice best;        ///< nothing chosen: the search hasn't begun
+  double closed = 0;  ///< the least bound of what needn't be looked into
+  std::size_t nodes = 0;
+  std::vector<BranchNode> open;  ///< in any order
+  Relaxation root;               ///< without decisions: the fractions and the proof
+};
+
 /// When to be satisfied.
 struct BranchOptions {
   double gap = 0;              ///< best ≤ (1 + gap) bound is enough
@@ -25,6 +42,9 @@ struct BranchOptions {
   int tries = 8;               ///< so many of them
   std::function<bool()> stop;  ///< asked often
   std::function<void(const BranchProgress&)> progress;
+  /// Called now and then, and at the end, with what resume() needs.
+  std::function<void(const BranchState&)> save;
+  double save_every = 10;  ///< seconds, about
 };
 
 /// What branch and bound found.
@@ -33,8 +53,7 @@ struct BranchResult {
   double bound = 0;
   std::size_t nodes = 0;
   bool stopped = false;  ///< before the gap was reached
-  /// Of the relaxation without decisions: the fractions and the proof.
-  Relaxation root;
+  Relaxation root;       ///< see BranchState
 };
 
 /// Minimise the cost over all whole choices that the rules allow.
@@ -47,5 +66,10 @@ struct BranchResult {
 [[nodiscard]] BranchResult branch_and_bound(ChoiceCost& cost, const ChoiceRules& rules,
                                             const std::vector<Decision>& decisions,
                                             const BranchOptions& options);
+
+/// The same, from where a search was saved.
+[[nodiscard]] BranchResult resume_branches(ChoiceCost& cost, const ChoiceRules& rules,
+                                           BranchState state,
+                                           const BranchOptions& options);
 
 }  // namespace delos

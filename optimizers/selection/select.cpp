@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
+#include "delos/scene/io.h"
 #include "selection/branch_and_bound.h"
 #include "selection/question.h"
+#include "selection/state_file.h"
 
 namespace delos {
 
@@ -42,7 +45,17 @@ SelectResult select(const Scene& scene, PluginRegistry& plugins,
     branch.progress = [&](const BranchProgress& at) {
       options.progress({quantity.of(at.best), quantity.of(at.bound), at.nodes});
     };
-  const BranchResult found = branch_and_bound(*cost, q.rules, q.decisions, branch);
+  std::optional<SelectionFile> file;
+  std::optional<BranchState> state;
+  if (!options.study.empty()) {
+    file.emplace(options.study,
+                 SelectionKey{write_scene(scene), options.samples, options.seed});
+    state = file->load();
+    branch.save = [&](const BranchState& at) { file->save(at); };
+  }
+  const BranchResult found =
+      state ? resume_branches(*cost, q.rules, std::move(*state), branch)
+            : branch_and_bound(*cost, q.rules, q.decisions, branch);
   check_settled(*cost);
 
   SelectResult result;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
@@ -28,6 +29,8 @@ struct SelectOptions {
   std::size_t samples = 1500;  ///< looked at, and certified over; 0: all
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: one a core
+  /// A file that keeps the search, made where there is none; it goes on from there.
+  std::filesystem::path study;
   const std::atomic<bool>* cancel = nullptr;
   std::function<void(const SelectProgress&)> progress;
 };
@@ -69,6 +72,7 @@ struct SelectResult {
 ///         observable whatever is chosen
 /// @throws std::invalid_argument one sentence: a steady state didn't settle
 /// @throws std::invalid_argument as candidate_information()
+/// @throws std::runtime_error the study can't be written, or is about something else
 [[nodiscard]] SelectResult select(const Scene& scene, PluginRegistry& plugins,
                                   const SelectOptions& options);
 
