@@ -1,0 +1,168 @@
+// delos select, as a user runs it.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <thread>
+
+#include "program.h"
+
+namespace delos::test {
+namespace {
+
+/// Few samples, few spots and a long reach: a fraction of a second.
+std::vector<std::string> anchors(const std::vector<std::string>& more) {
+  std::vector<std::string> words = {
+      "select", scene("12-ceiling-anchors"),
+      "--set",  "selection.candidates.0.grid.step=[1.1, 1.1, 1]",
+      "--set",  "selection.count=12",
+      "--set",  "sample.volume.step=[1.35, 1.35, 1.2]",
+      "--set",  "devices.anchor.params.reach=9"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Select, WritesTheContractsDocumentAndAScene) {
+  const Folder folder;
+  const Finished done =
+      run(anchors({"--gap", "0.02", "--json", "--out", "chosen.yaml"}), folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  EXPECT_EQ(json["chosen"].size(), 12u);
+  EXPECT_LE(json["lower_bound"], json["value"]);
+  EXPECT_LE(json["gap"], 0.02);
+  EXPECT_EQ(json["stop"], "proven");
+  EXPECT_GT(json["samples"], 0);
+  EXPECT_GE(json["seconds"], 0);
+
+  // What was written is what was chosen; the guess's share is small.
+  const std::string chosen = (folder.path() / "chosen.yaml").string();
+  const Finished field =
+      run({"field", chosen, "--metric", "trace", "--json"}, folder.path());
+  ASSERT_EQ(field.code, 0) << field.err;
+  EXPECT_NEAR(std::sqrt(field.json()["mean"].get<double>()), json["value"],
+              0.01 * json["value"].get<double>());
+  // optimize goes on from it, with the pattern's variables for each.
+  const Finished polished =
+      run({"optimize", chosen, "--evaluations", "20", "--starts", "1", "--json"},
+          folder.path());
+  ASSERT_EQ(polished.code, 0) << polished.err;
+  EXPECT_EQ(polished.json()["variables"].size(), 24u);
+  EXPECT_LE(polished.json()["best"], polished.json()["initial"]);
+}
+
+TEST(Select, TellsWhatIsCertified) {
+  const Finished done = run(anchors({"--gap", "0.1"}));
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("Ceiling anchors: 12 of 36 candidates"), std::string::npos)
+      << done.out;
+  EXPECT_NE(done.out.find("root of the mean of sigma_position² over 50 samples"),
+            std::string::npos)
+      << done.out;
+}
+
+// A band: values and bounds fall with the count, and agree with single runs.
+TEST(Select, DrawsTheCurveOverCounts) {
+  const Finished done = run(anchors({"--gap", "0.05", "--counts", "10..13", "--json"}));
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json curve = done.json()["curve"];
+  ASSERT_EQ(curve.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(curve[i]["chosen"].size(), 10 + i);
+    EXPECT_LE(curve[i]["lower_bound"], curve[i]["value"]);
+    if (i > 0) EXPECT_LE(curve[i]["lower_bound"], curve[i - 1]["lower_bound"]);
+  }
+  EXPECT_EQ(run(anchors({"--counts", "9"})).code, 2);
+}
+
+TEST(Select, OrdersWhatCanGo) {
+  const Finished done = run(anchors({"--remove", "--json"}));
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  ASSERT_EQ(json["removals"].size(), 24u);
+  double before = json["all_chosen"];
+  for (const Json& removal : json["removals"]) {
+    EXPECT_GE(removal["value"], before);
+    EXPECT_LE(removal["lower_bound"], removal["value"]);
+    before = removal["value"];
+  }
+  EXPECT_EQ(json["removals"][23]["left"], 12);
+}
+
+// No choice is below the envelope at any sample.
+TEST(Select, WritesTheEnvelope) {
+  const Folder folder;
+  const Finished done =
+      run(anchors({"--gap", "0.05", "--envelope", "best.csv", "--out", "chosen.csv"}),
+          folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  std::istringstream best(read_file(folder.path() / "best.csv")),
+      chosen(read_file(folder.path() / "chosen.csv"));
+  std::string at_best, at_chosen;
+  std::getline(best, at_best);
+  std::getline(chosen, at_chosen);
+  int rows = 0;
+  const auto value = [](const std::string& row) {
+    std::istringstream cells(row);
+    std::string cell;
+    for (int c = 0; c < 4; ++c) std::getline(cells, cell, ',');
+    return std::stod(cell);
+  };
+  while (std::getline(best, at_best) && std::getline(chosen, at_chosen)) {
+    EXPECT_LE(value(at_best), value(at_chosen) * 1.001);
+    ++rows;
+  }
+  EXPECT_EQ(rows, 50);
+}
+
+// Stopped and taken up again, a search ends with the choice and bound of one that
+// wasn't.
+TEST(Select, GoesOnFromItsFile) {
+  const Folder folder;
+  const std::vector<std::string> whole = anchors({"--gap", "0.008", "--json"});
+  const Finished once = run(whole, folder.path());
+  ASSERT_EQ(once.code, 0) << once.err;
+  std::vector<std::string> pieces = whole;
+  for (const char* word : {"--study", "kept.sqlite", "--seconds", "0.15"})
+    pieces.push_back(word);
+  Json json;
+  for (int i = 0; i < 100; ++i) {
+    const Finished piece = run(pieces, folder.path());
+    ASSERT_EQ(piece.code, 0) << piece.err;
+    json = piece.json();
+    if (json["stop"] == "proven") break;
+  }
+  EXPECT_EQ(json["stop"], "proven");
+  EXPECT_LE(json["gap"], 0.008);
+  EXPECT_NEAR(json["value"], once.json()["value"],
+              0.008 * once.json()["value"].get<double>());
+  // A file is about one selection.
+  const Finished other =
+      run(anchors({"--set", "selection.count=11", "--study", "kept.sqlite"}),
+          folder.path());
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("kept.sqlite is about another scene"), std::string::npos)
+      << other.err;
+}
+
+TEST(Select, RefusesWhatHasNoBound) {
+  const auto refused = [](const std::vector<std::string>& words,
+                          const std::string& why) {
+    const Finished done = run(words);
+    EXPECT_EQ(done.code, 1);
+    EXPECT_NE(done.err.find(why), std::string::npos) << done.err;
+  };
+  refused({"select", scene("01-acoustic")}, "the scene has no selection");
+  refused(anchors({"--set", "metric=det"}),
+          "det isn't a convex function of the covariance");
+  refused(anchors({"--set", "objective={minimize: percentile}"}),
+          "other objectives have no bound");
+  refused({"select", scene("hiball/strips"), "--set", "devices.hiball.select=mean"},
+          "use 'select: all'");
+  refused(anchors({"--set",
+                   "selection={budget: 1, candidates: [{copies_of: anchor, "
+                   "points: [[1, 1, 3]], cost: 2}]}"}),
+          "no candidate fits into the budget");
+}
+
+}  // namespace
+}  // namespace delos::test
