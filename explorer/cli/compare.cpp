@@ -15,6 +15,7 @@
 #include "delos/scene/units.h"
 #include "evaluation.h"
 #include "json.h"
+#include "summary.h"
 
 namespace delos::cli {
 namespace {
@@ -78,15 +79,6 @@ Json to_json(const Comparison& c) {
           {"max", number(c.max)},
           {"improved_fraction", number(c.improved_fraction)},
           {"common", c.common}};
-}
-
-/// A text filled to a number of characters, of which UTF-8 may take several bytes.
-std::string cell(const std::string& text, std::size_t width) {
-  const auto characters =
-      static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-      }));
-  return text + std::string(width - std::min(width, characters), ' ');
 }
 
 void print_rows(std::ostream& out, const std::vector<Row>& rows, double limit) {

@@ -76,10 +76,9 @@ void write_envelope(const SelectCommand& command, const Scene& scene,
 }
 
 /// The scene of what was chosen, and its field.
-void write_chosen(const SelectCommand& command, const SelectResult& result,
+void write_chosen(const SelectCommand& command, const Scene& scene,
                   const LoadedScene& loaded, const Interrupt& interrupt) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
-  const Scene scene = chosen_scene(result.all, result.chosen);
   std::optional<Evaluation> evaluation;
   for (const auto& file : command.out) {
     std::string problem;
@@ -121,6 +120,14 @@ int run(SelectCommand& command) {
       throw Failure{kDiagnostics, failure.what()};
     }
   };
+  if (loaded.scene.selection.cover) {
+    const SceneCover cover =
+        refusable([&] { return cover_scene(loaded.scene, plugins, command.search); });
+    line.clear();
+    show(command, cover_json(cover), [&] { print_cover(std::cout, cover); });
+    write_chosen(command, chosen_scene(cover.all, cover.chosen), loaded, interrupt);
+    return interrupt.requested() ? kCancelled : kDone;
+  }
   if (!command.envelope.empty())
     refusable([&] { write_envelope(command, loaded.scene, plugins); });
   if (!command.counts.empty()) {
@@ -142,7 +149,7 @@ int run(SelectCommand& command) {
       refusable([&] { return select(loaded.scene, plugins, command.search); });
   line.clear();
   show(command, select_json(result), [&] { print_selection(std::cout, result); });
-  write_chosen(command, result, loaded, interrupt);
+  write_chosen(command, chosen_scene(result.all, result.chosen), loaded, interrupt);
   if (result.stop != SelectStop::cancelled) return kDone;
   std::cerr << "delos: stopped; this is the best so far\n";
   return kCancelled;
@@ -190,6 +197,7 @@ void add_select_command(CLI::App& program, int& exit_code) {
       "  delos select scenes/12-ceiling-anchors.yaml --set selection.count=20 --json\n"
       "  delos select scenes/12-ceiling-anchors.yaml --out chosen.yaml --out "
       "chosen.png\n"
+      "  delos select scenes/14-camera-cover.yaml     the fewest that see everything\n"
       "  delos select scenes/hiball/strips.yaml --remove\n"
       "  delos select scenes/13-camera-spots.yaml --counts 3..8\n"
       "  delos optimize chosen.yaml                   then move what was chosen");

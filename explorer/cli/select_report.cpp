@@ -91,8 +91,9 @@ void print_selection(std::ostream& out, const SelectResult& r) {
   line("lower bound") << format_quantity(r.lower_bound, r.unit, 4)
                       << ": no choice that the scene allows has less\n";
   line("gap") << std::setprecision(3) << 100 * r.gap << " %"
-              << (r.unit.empty() ? "" : ", of variances ");
-  if (!r.unit.empty()) out << std::setprecision(3) << 100 * r.variance_gap << " %";
+              << (r.gap == r.variance_gap ? "" : ", of variances ");
+  if (r.gap != r.variance_gap)
+    out << std::setprecision(3) << 100 * r.variance_gap << " %";
   out << ", after " << r.nodes << " nodes and " << r.seconds << " s\n";
   print_names(out, "chosen", chosen_names(r.all, r.chosen));
   std::vector<std::string> every;
@@ -104,6 +105,30 @@ void print_selection(std::ostream& out, const SelectResult& r) {
   if (none > 0)
     line("in none") << counted(static_cast<std::size_t>(none), "candidate")
                     << " of the choices that are as good\n";
+}
+
+Json cover_json(const SceneCover& cover) {
+  return {{"chosen", chosen_names(cover.all, cover.chosen)},
+          {"value", number(cover.cost)},
+          {"lower_bound", number(cover.lower_bound)},
+          {"gap", number(gap_of(cover.cost, cover.lower_bound))},
+          {"certified", "cost of what is chosen"},
+          {"samples", cover.samples},
+          {"candidates", cover.all.candidates.size()},
+          {"stop", to_string(cover.stop)},
+          {"seconds", number(cover.seconds)}};
+}
+
+void print_cover(std::ostream& out, const SceneCover& cover) {
+  const int times = *cover.all.scene.selection.cover;
+  out << cover.all.scene.name << ": " << cover.chosen.size() << " of "
+      << counted(cover.all.candidates.size(), "candidate") << " see "
+      << counted(cover.samples, "sample") << ' '
+      << (times == 1 ? "each" : std::to_string(times) + " times each") << "\n"
+      << "  cost          " << cover.cost << ", at best " << cover.lower_bound
+      << (cover.stop == CoverStop::proven ? ": proven" : "") << ", after "
+      << std::setprecision(3) << cover.seconds << " s\n";
+  print_names(out, "chosen", chosen_names(cover.all, cover.chosen));
 }
 
 Json curve_json(const CountCurve& curve) {
@@ -121,9 +146,9 @@ void print_curve(std::ostream& out, const CountCurve& curve) {
   out << curve.all.scene.name << ": " << curve.quantity << "\n"
       << "  count  found         at best       gap\n";
   for (const CountPoint& p : curve.points)
-    out << "  " << std::left << std::setw(7) << p.count << std::setw(14)
-        << format_quantity(p.value, curve.unit, 4) << std::setw(14)
-        << format_quantity(p.lower_bound, curve.unit, 4)
+    out << "  " << std::left << std::setw(7) << p.count
+        << cell(format_quantity(p.value, curve.unit, 4), 14)
+        << cell(format_quantity(p.lower_bound, curve.unit, 4), 14)
         << percent(gap_of(p.value, p.lower_bound)) << "\n";
 }
 
@@ -146,9 +171,9 @@ void print_removals(std::ostream& out, const RemovalOrder& order) {
       << format_quantity(order.all_chosen, order.unit, 4) << "\n"
       << "  left   value         at best       by removing\n";
   for (const Removal& r : order.removals)
-    out << "  " << std::left << std::setw(7) << r.left << std::setw(14)
-        << format_quantity(r.value, order.unit, 4) << std::setw(14)
-        << format_quantity(r.lower_bound, order.unit, 4)
+    out << "  " << std::left << std::setw(7) << r.left
+        << cell(format_quantity(r.value, order.unit, 4), 14)
+        << cell(format_quantity(r.lower_bound, order.unit, 4), 14)
         << order.all.candidates[r.candidate].name << "\n";
 }
 

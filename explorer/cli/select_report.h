@@ -4,6 +4,7 @@
 #include <iosfwd>
 
 #include "delos/optimize/choices.h"
+#include "delos/optimize/cover_scene.h"
 #include "json.h"
 
 namespace delos::cli {
@@ -11,6 +12,10 @@ namespace delos::cli {
 /// The contract's document: `select --json`.
 [[nodiscard]] Json select_json(const SelectResult& result);
 void print_selection(std::ostream& out, const SelectResult& result);
+
+/// The same of the fewest that see everything.
+[[nodiscard]] Json cover_json(const SceneCover& cover);
+void print_cover(std::ostream& out, const SceneCover& cover);
 
 /// The band of values and bounds over counts.
 [[nodiscard]] Json curve_json(const CountCurve& curve);

@@ -1,5 +1,6 @@
 #include "summary.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -27,6 +28,14 @@ std::vector<std::string> why_blind(const LoadedScene& loaded, const Field& field
 
 std::string counted(std::size_t count, const char* noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string cell(const std::string& text, std::size_t width) {
+  const auto characters =
+      static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+      }));
+  return text + std::string(width - std::min(width, characters), ' ');
 }
 
 void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field) {

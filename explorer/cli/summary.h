@@ -11,6 +11,9 @@ namespace delos::cli {
 /// "1 sample", "2 samples"
 [[nodiscard]] std::string counted(std::size_t count, const char* noun);
 
+/// A text filled to a number of characters, of which UTF-8 may take several bytes.
+[[nodiscard]] std::string cell(const std::string& text, std::size_t width);
+
 /// Where the field is best, typical and worst, and how it was computed.
 void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field);
 

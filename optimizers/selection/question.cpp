@@ -11,22 +11,10 @@
 namespace delos {
 namespace {
 
-std::string coordinates(const Eigen::Vector3d& p) {
-  return '(' + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ')';
-}
-
 std::vector<VarianceTerm> variance_terms(const Scene& scene, const System& system,
                                          const SearchSamples& samples) {
-  std::vector<unsigned char> inside;
-  if (system.in_world.triangles() > 0) {
-    // Where solids are doesn't depend on the devices.
-    System without = system;
-    without.devices.resize(1);
-    const auto coverage =
-        std::get<Metric>(parse_metric("coverage", scene.motion.layout));
-    inside =
-        evaluate_field(without, samples.samples, scene.orientations, coverage).inside;
-  }
+  const std::vector<unsigned char> inside =
+      samples_inside_solids(system, samples.samples, scene.orientations);
   std::vector<ObjectiveTerm> written = scene.objective.terms;
   if (written.empty()) written.emplace_back();
   std::vector<VarianceTerm> terms;
@@ -68,6 +56,21 @@ std::vector<Decision> decisions_of(const CandidateScene& all) {
 }
 
 }  // namespace
+
+std::string coordinates(const Eigen::Vector3d& p) {
+  return '(' + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ')';
+}
+
+std::vector<unsigned char> samples_inside_solids(const System& system,
+                                                 const Samples& samples,
+                                                 const Orientations& orientations) {
+  if (system.in_world.triangles() == 0) return {};
+  // Where solids are doesn't depend on the devices.
+  System one = system;
+  one.devices.resize(1);
+  const auto coverage = std::get<Metric>(parse_metric("coverage", one.motion.layout));
+  return evaluate_field(one, samples, orientations, coverage).inside;
+}
 
 Question question_of(const Scene& scene, PluginRegistry& plugins,
                      const SelectOptions& options) {

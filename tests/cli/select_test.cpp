@@ -144,6 +144,20 @@ TEST(Select, GoesOnFromItsFile) {
       << other.err;
 }
 
+TEST(Select, CoversEverySample) {
+  const Folder folder;
+  const Finished done = run({"select", scene("14-camera-cover"), "--seconds", "3",
+                             "--json", "--out", "cover.yaml"},
+                            folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(done.json()["value"], 7);
+  EXPECT_EQ(done.json()["chosen"].size(), 7u);
+  const Finished field =
+      run({"field", (folder.path() / "cover.yaml").string(), "--json"}, folder.path());
+  ASSERT_EQ(field.code, 0) << field.err;
+  EXPECT_GE(field.json()["min"]["value"], 1);
+}
+
 TEST(Select, RefusesWhatHasNoBound) {
   const auto refused = [](const std::vector<std::string>& words,
                           const std::string& why) {

@@ -37,15 +37,18 @@ DisplayUnit display_unit(double si, std::string_view unit) {
   const std::string rest{unit.substr(base.size())};
   if (base == "rad") return {"deg" + rest, 180 / std::numbers::pi};
 
-  const bool prefixed = base == "m" || base == "s" || base == "Hz";
-  const double size = std::abs(si);
+  const bool prefixed = base == "m" || base == "m^2" || base == "s" || base == "Hz";
+  const bool square = base == "m^2";
+  // A square's next unit is a million times smaller: thousandths are still handy.
+  const double size = square ? std::sqrt(1e3 * std::abs(si)) : std::abs(si);
   if (!prefixed || !std::isfinite(si) || size == 0) return {std::string{unit}, 1};
   for (const Prefix& prefix : kPrefixes) {
     if (!customary(prefix, base) || size < prefix.size) continue;
-    return {prefix.name + std::string{unit}, prefix.factor};
+    return {prefix.name + std::string{unit},
+            square ? prefix.factor * prefix.factor : prefix.factor};
   }
-  return {base == "Hz" ? std::string{unit} : "n" + std::string{unit},
-          base == "Hz" ? 1 : 1e9};
+  if (base == "Hz") return {std::string{unit}, 1};
+  return {"n" + std::string{unit}, square ? 1e18 : 1e9};
 }
 
 std::string format_quantity(double si, std::string_view unit, int digits) {

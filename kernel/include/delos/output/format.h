@@ -16,8 +16,8 @@ struct DisplayUnit {
 
 /// The unit in which values about as large as `si` read best.
 ///
-/// Metres, seconds, hertz and their rates take a prefix in steps of 1000; radians
-/// become degrees; everything else, such as m^2 or px, stays as it is.
+/// Metres and their squares, seconds, hertz and their rates take a prefix in steps of
+/// 1000; radians become degrees; everything else, such as px, stays as it is.
 /// @param unit the SI unit: "m", "rad/s", "1"
 [[nodiscard]] DELOS_API DisplayUnit display_unit(double si, std::string_view unit);
 

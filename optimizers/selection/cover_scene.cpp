@@ -1,0 +1,106 @@
+#include "delos/optimize/cover_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "delos/field/candidate_information.h"
+#include "selection/question.h"
+
+namespace delos {
+namespace {
+
+/// What must be seen: samples outside solids, each in every orientation.
+std::vector<TargetPose> poses_to_see(const Scene& scene, const System& system) {
+  const SearchSamples samples = search_samples(scene, 0);
+  const std::vector<unsigned char> inside =
+      samples_inside_solids(system, samples.samples, scene.orientations);
+  std::vector<TargetPose> poses;
+  for (std::size_t s = 0; s < samples.samples.points.size(); ++s) {
+    if (!inside.empty() && inside[s]) continue;
+    for (const Eigen::Vector3d& rpy : scene.orientations.rpy)
+      poses.push_back({rotation_from_rpy(rpy), samples.samples.points[s]});
+  }
+  return poses;
+}
+
+CoverProblem problem_of(const CandidateScene& all, CandidateViews views) {
+  CoverProblem problem;
+  problem.samples = static_cast<int>(views.always.size());
+  problem.start.assign(views.first.begin(), views.first.end());
+  problem.seen = std::move(views.poses);
+  for (const std::int32_t always : views.always)
+    problem.demand.push_back(std::max(0, *all.scene.selection.cover - always));
+  for (const Candidate& c : all.candidates) {
+    problem.cost.push_back(c.cost);
+    problem.group.push_back(c.spot);
+    problem.fixed.push_back(c.kept       ? Membership::in
+                            : c.left_out ? Membership::out
+                                         : Membership::free);
+  }
+  return problem;
+}
+
+/// The first few samples that are seen too seldom, for the user.
+std::string blind_text(const std::vector<int>& blind,
+                       const std::vector<TargetPose>& poses, int wanted) {
+  constexpr std::size_t kShown = 5;
+  std::string text = std::to_string(blind.size()) + " of " +
+                     std::to_string(poses.size()) + " samples can't be seen " +
+                     (wanted == 1 ? "at all" : std::to_string(wanted) + " times") +
+                     ", whatever is chosen:";
+  for (std::size_t i = 0; i < std::min(kShown, blind.size()); ++i)
+    text += "\n  at " + coordinates(poses[static_cast<std::size_t>(blind[i])].p);
+  if (blind.size() > kShown)
+    text += "\n  and " + std::to_string(blind.size() - kShown) + " more";
+  return text;
+}
+
+}  // namespace
+
+SceneCover cover_scene(const Scene& scene, PluginRegistry& plugins,
+                       const SelectOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  if (!scene.selection.cover) throw std::invalid_argument("the selection has no cover");
+  auto written = write_out_candidates(scene);
+  if (const auto* problem = std::get_if<std::string>(&written))
+    throw std::invalid_argument(*problem);
+  SceneCover cover;
+  cover.all = std::get<0>(std::move(written));
+  const System system = build_system(cover.all.scene, plugins);
+  const std::vector<TargetPose> poses = poses_to_see(scene, system);
+  const CoverProblem problem =
+      problem_of(cover.all, candidate_views(system, cover.all, poses, options.threads));
+  const std::vector<int> blind = uncoverable(problem);
+  if (!blind.empty())
+    throw std::invalid_argument(blind_text(blind, poses, *scene.selection.cover));
+
+  CoverOptions how;
+  how.seed = options.seed;
+  how.seconds = std::max(0.1, options.seconds - elapsed());
+  how.threads = options.threads;
+  how.cancel = options.cancel;
+  if (options.progress)
+    how.progress = [&](const CoverProgress& at) {
+      options.progress({at.cost, at.bound, 0});
+    };
+  const CoverAnswer answer = solve_cover(problem, how);
+  if (!answer.found())
+    throw std::invalid_argument(
+        answer.stop == CoverStop::infeasible
+            ? "no cover exists: candidates of one spot exclude each other"
+            : "no cover was found in time; allow more seconds");
+  cover.chosen.assign(answer.chosen.begin(), answer.chosen.end());
+  cover.cost = answer.cost;
+  cover.lower_bound = answer.lower_bound;
+  cover.samples = poses.size();
+  cover.stop = answer.stop;
+  cover.seconds = elapsed();
+  return cover;
+}
+
+}  // namespace delos
