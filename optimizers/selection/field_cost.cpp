@@ -169,7 +169,10 @@ void FieldCost::exclude(std::span<const char> out) {
 template <class Body>
 void FieldCost::each_chunk(Body&& body) const {
   const std::size_t length = (samples_ + kParts - 1) / kParts;
-#pragma omp parallel for schedule(dynamic) num_threads(threads_)
+  // A few poses are sooner done than shared out.
+  constexpr std::size_t kWorthSharing = 256;
+  const int threads = samples_ * turns_ < kWorthSharing ? 1 : threads_;
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t c = 0; c < kParts; ++c)
     body(c, std::min(samples_, c * length), std::min(samples_, (c + 1) * length));
 }

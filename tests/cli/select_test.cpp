@@ -12,11 +12,12 @@ namespace {
 /// Few samples, few spots and a long reach: a fraction of a second.
 std::vector<std::string> anchors(const std::vector<std::string>& more) {
   std::vector<std::string> words = {
-      "select", scene("12-ceiling-anchors"),
-      "--set",  "selection.candidates.0.grid.step=[1.1, 1.1, 1]",
-      "--set",  "selection.count=12",
-      "--set",  "sample.volume.step=[1.35, 1.35, 1.2]",
-      "--set",  "devices.anchor.params.reach=9"};
+      "select",    scene("12-ceiling-anchors"),
+      "--threads", "1",
+      "--set",     "selection.candidates.0.grid.step=[1.1, 1.1, 1]",
+      "--set",     "selection.count=12",
+      "--set",     "sample.volume.step=[1.35, 1.35, 1.2]",
+      "--set",     "devices.anchor.params.reach=9"};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }

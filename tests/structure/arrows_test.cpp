@@ -124,7 +124,7 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
       {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/scene/"}},
-      {"OpenMP", std::regex("omp\\.h"), {"kernel/src/field/"}},
+      {"OpenMP", std::regex("omp\\.h"), {"kernel/src/field/", "optimizers/selection/"}},
       {"CLI11", std::regex("CLI/.*"), {"explorer/cli/"}},
       {"NLopt", std::regex("nlopt\\.h.*"), {"optimizers/nlopt/"}},
       {"SQLite", std::regex("sqlite.*"), {"optimizers/study/"}},
