@@ -80,6 +80,8 @@ class PinholeCamera final : public delos::Device {
     u_max_ = resolution(0) * pixel / 2;
     v_max_ = resolution(1) * pixel / 2;
     least_cosine_ = 0.7 / std::sqrt(1 + u_max_ * u_max_ + v_max_ * v_max_);
+    u_plane_ = {1 / std::hypot(u_max_, 1), u_max_ / std::hypot(u_max_, 1)};
+    v_plane_ = {1 / std::hypot(v_max_, 1), v_max_ / std::hypot(v_max_, 1)};
     if (p.choice("noise") == "pixels") {
       constant_ = p["sigma"] * pixel * p["sigma"] * pixel;
     } else {
@@ -169,9 +171,8 @@ class PinholeCamera final : public delos::Device {
     };
     plane(forward, -near_, true);
     plane(-forward, far_, false);
-    const double u = std::hypot(u_max_, 1), v = std::hypot(v_max_, 1);
-    plane({std::copysign(1 / u, -p.x()), 0, u_max_ / u}, 0, false);
-    plane({0, std::copysign(1 / v, -p.y()), v_max_ / v}, 0, false);
+    plane({std::copysign(u_plane_.x(), -p.x()), 0, u_plane_.y()}, 0, false);
+    plane({0, std::copysign(v_plane_.x(), -p.y()), v_plane_.y()}, 0, false);
     return true;
   }
 
@@ -182,8 +183,8 @@ class PinholeCamera final : public delos::Device {
                            double radius) const override {
     const double x = std::abs(center.x()), y = std::abs(center.y()), z = center.z();
     const double depth = std::min(z - near_, far_ - z);
-    const double side_u = (u_max_ * z - x) / std::hypot(u_max_, 1);
-    const double side_v = (v_max_ * z - y) / std::hypot(v_max_, 1);
+    const double side_u = u_plane_.y() * z - u_plane_.x() * x;
+    const double side_v = v_plane_.y() * z - v_plane_.x() * y;
     const double inner = std::min({depth, side_u, side_v});
     // Rounding may not turn a touch into a certainty.
     const double sure = radius + 1e-9 * (center.norm() + far_);
@@ -192,11 +193,12 @@ class PinholeCamera final : public delos::Device {
   }
 
  private:
-  double near_, far_;     // m
-  double u_max_, v_max_;  // half the image, normalised
-  double least_cosine_;   // of the angle to the axis beyond which depth is smoothed
-  double constant_ = 0;   // normalised, squared
-  double growing_ = 0;    // normalised, squared, 1/m²
+  double near_, far_;                  // m
+  double u_max_, v_max_;               // half the image, normalised
+  Eigen::Vector2d u_plane_, v_plane_;  // the sides' normals: across, and forward
+  double least_cosine_;  // of the angle to the axis beyond which depth is smoothed
+  double constant_ = 0;  // normalised, squared
+  double growing_ = 0;   // normalised, squared, 1/m²
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace delos {
 namespace {
 
 /// The acoustic law with its slopes, in view up to `reach`.
-class SmoothRange final : public testing::TestRange {
+class SmoothRange : public testing::TestRange {
  public:
   using TestRange::TestRange;
   bool observe_smoothly(const Eigen::Vector3d& p, SmoothRows& out) const override {
@@ -29,6 +29,15 @@ class SmoothRange final : public testing::TestRange {
   }
 };
 
+/// The same, but doesn't say where balls are.
+class SilentRange final : public SmoothRange {
+ public:
+  using SmoothRange::SmoothRange;
+  View view_of_ball(const Eigen::Vector3d&, double) const override {
+    return View::unknown;
+  }
+};
+
 template <class Range>
 System rig(double reach = 1e9) {
   System system = testing::acoustic_system();
@@ -38,6 +47,19 @@ System rig(double reach = 1e9) {
 }
 
 const Samples kSamples = testing::volume({0.01, 0, 0}, {0.4, 0.3, 0.8}, 0.1);
+
+// What is far out of view is left out unasked, and nobody can tell.
+TEST(SoftField, IsTheSameWhereDevicesSayWhereBallsAre) {
+  const System plain = rig<SilentRange>(1.0), culled = rig<SmoothRange>(1.0);
+  const Metric metric = testing::metric_of(plain, "sigma_position");
+  for (const double width : {0.1, 0.01}) {
+    SoftField one(kSamples, {}, {metric}, 1e-3), other(kSamples, {}, {metric}, 1e-3);
+    const auto &expected = one.evaluate(plain, width)[0],
+               &values = other.evaluate(culled, width)[0];
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(values[i], expected[i], 1e-6 * expected[i]) << i;
+  }
+}
 
 TEST(SoftField, IsTheFieldWhereEdgesAreHard) {
   const System system = rig<SmoothRange>(1.1);

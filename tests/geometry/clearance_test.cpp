@@ -88,6 +88,30 @@ TEST(Clearance, OfManyIsTheLeastOfAll) {
   }
 }
 
+// Triangles that crowd towards a corner, or that share their middle, can't be cut into
+// halves by planes: the tree must stay shallow and right all the same.
+TEST(Clearance, OfTrianglesThatCannotBeCutIsTheLeastOfAll) {
+  Draw draw;
+  std::vector<TriangleMesh> all;
+  for (int i = 0; i < 400; ++i) {
+    const double size = std::ldexp(1.0, -i);
+    all.push_back(one_triangle({size, 0, 0}, {0, size, 0}, {size, size, size}));
+  }
+  for (int i = 1; i < 40; ++i) {
+    const double size = i;
+    all.push_back(
+        one_triangle({2 * size, -size, 0}, {-size, 2 * size, 0}, {-size, -size, 0}));
+  }
+  const Clearance tree(all);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d a = draw.point(1), b = draw.point(1);
+    double least = 0.3;
+    for (const TriangleMesh& t : all)
+      least = std::min(least, Clearance({t}).passage(a, b, least).distance);
+    EXPECT_DOUBLE_EQ(tree.passage(a, b, 0.3).distance, least);
+  }
+}
+
 TEST(Clearance, ChangesAsItsDirectionSays) {
   Draw draw;
   const Clearance box({make_box({-1, -1, -1}, {1, 1, 1})});

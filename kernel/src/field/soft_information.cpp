@@ -69,12 +69,20 @@ SoftInformation::SoftInformation(const System& system, const SoftOccluders& occl
     : system_(system),
       occluders_(occluders),
       width_(width),
+      unseen_margin_(-std::log(kUnseen) * width / 4),
       columns_(information_size(system)) {}
 
 double SoftInformation::view(double margin) const {
   if (width_ == 0) return margin >= 0 ? 1 : 0;
   const double v = 1 / (1 + std::exp(-4 * margin / width_));
   return v < kUnseen ? 0 : v;
+}
+
+/// What view() would say, without asking for rows: a ball of the radius s d about a
+/// point at the distance d fills the angle asin s.
+bool SoftInformation::out_of_view(const Device& device,
+                                  const Eigen::Vector3d& p) const {
+  return device.view_of_ball(p, unseen_margin_ * p.norm()) == View::outside;
 }
 
 Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPose& X_WT,
@@ -122,12 +130,16 @@ bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose&
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
     const Eigen::Vector3d p = R_WS.transpose() * (X_WT.p + arm - placed.X_WS.p);
-    if (p.isZero(0)) continue;
+    Sightline& line = lines[m];
+    if (line.visibility == 0 || p.isZero(0)) continue;
+    if (out_of_view(*placed.device, p)) {
+      line.visibility = 0;
+      continue;
+    }
     if (!placed.device->observe_smoothly(p, rows)) return false;
     double v = weight * view(rows.margin);
-    if (v == 0) continue;
-    if (lines[m].visibility < 0) lines[m] = sightline(placed, X_WT, arm);
-    v *= lines[m].visibility;
+    if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
+    v *= line.visibility;
     if (v == 0) continue;
     const Eigen::Matrix3d of_point = v * R_WS * information(rows) * R_WS.transpose();
     if (system_.motion.layout.pose == PoseState::position) {
@@ -164,15 +176,14 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
   const Eigen::Matrix3d R_WS = placed.X_WS.R;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
+    const Sightline& line = lines[m];
+    if (!(line.visibility > 0)) continue;
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
     const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS.p;
     const Eigen::Vector3d p = R_WS.transpose() * from;
     if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
     const double v = view(rows.margin);
     if (v == 0) continue;
-    if (lines[m].visibility < 0) lines[m] = sightline(placed, X_WT, arm);
-    const Sightline& line = lines[m];
-    if (line.visibility == 0) continue;
 
     Eigen::Matrix3d G_point;
     if (system_.motion.layout.pose == PoseState::position) {

@@ -20,7 +20,7 @@ struct SoftOccluders {
 
 /// A visibility by what hides, and how it changes with the device's place in W.
 struct Sightline {
-  double visibility = -1;  ///< below 0: nobody has looked yet
+  double visibility = -1;  ///< below 0: nobody has looked yet; 0: unseen or out of view
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
 };
 
@@ -51,10 +51,12 @@ class SoftInformation {
   bool add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT, double weight,
                     Sightline* lines, StateMatrix& S) const;
   [[nodiscard]] double view(double margin) const;
+  [[nodiscard]] bool out_of_view(const Device& device, const Eigen::Vector3d& p) const;
 
   const System& system_;
   const SoftOccluders& occluders_;
   double width_;
+  double unseen_margin_;  // radians beyond the edge of a view at which nothing is left
   int columns_;
 };
 

@@ -34,13 +34,16 @@ class DELOS_API Clearance {
   [[nodiscard]] bool empty() const { return triangles_.empty(); }
 
  private:
-  using Triangle = std::array<Eigen::Vector3d, 3>;
+  struct Triangle {
+    std::array<Eigen::Vector3d, 3> corners;
+    Eigen::Vector3d normal;  ///< of any length
+  };
   struct Node {
     Eigen::Vector3d min, max;
     std::uint32_t first = 0;  ///< of a leaf's triangles, or of its two children
     std::uint32_t count = 0;  ///< of a leaf's triangles; 0: not a leaf
   };
-  void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
+  void build(std::uint32_t node, std::uint32_t first, std::uint32_t count, int depth);
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
