@@ -8,6 +8,9 @@
 
 #include "command.h"
 #include "delos/output/format.h"
+#include "delos/scene/io.h"
+#include "delos/scene/number.h"
+#include "delos/scene/units.h"
 #include "search_report.h"
 #include "summary.h"
 
@@ -22,9 +25,9 @@ struct StudyCommand {
   int round = -1;
 };
 
-const std::vector<std::string> kActions = {"show",   "resume", "best",   "export",
-                                           "pause",  "lock",   "unlock", "set",
-                                           "forbid", "extend", "undo"};
+const std::vector<std::string> kActions = {
+    "show", "resume", "best", "export", "pause",  "lock",   "unlock",
+    "set",  "keep",   "drop", "forbid", "inject", "extend", "undo"};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -65,18 +68,37 @@ void show(const Study& study, const SceneOptions& options) {
             << s.plan.algorithm << ", seed " << s.plan.seed << "\n";
   for (const StudyRound& r : s.rounds) {
     std::cout << "round " << r.number << ": " << counted(r.evaluations, "evaluation");
-    if (r.ended)
+    if (r.ended && std::isnan(r.best))
+      std::cout << ", no design keeps its constraints\n";
+    else if (r.ended)
       std::cout << ", " << format_quantity(std::abs(r.initial), unit) << " -> "
                 << format_quantity(std::abs(r.best), unit) << "\n";
     else
       std::cout << ", not at its end: delos study FILE resume\n";
     for (const StudyAct& a : s.acts)
       if (a.after_round == r.number)
-        std::cout << "  act " << a.number << ": " << a.verb << " " << a.argument
-                  << "\n";
+        std::cout << "  act " << a.number << ": " << a.verb << " "
+                  << a.argument.substr(0, a.argument.find('\n')) << "\n";
   }
   if (!s.waiting.empty()) std::cout << "The last acts hold from the next round on.\n";
   for (const std::string& path : s.locked) std::cout << "locked: " << path << "\n";
+}
+
+/// The design of a scene file, as an act writes it.
+std::string design_of(const std::filesystem::path& file, const Study& study,
+                      PluginRegistry& plugins) {
+  Diagnostics findings;
+  auto scene = load_scene(file, {}, plugins, findings);
+  if (!scene) throw std::invalid_argument(to_string(findings.front()));
+  std::string text;
+  for (const VariableEntry& v : study.scene().variables) {
+    const auto found = find_number(*scene, v.path, plugins);
+    if (const auto* problem = std::get_if<std::string>(&found))
+      throw std::invalid_argument(file.string() + ": " + v.path + ": " + *problem);
+    text += (text.empty() ? "" : "\n") + v.path + '=' +
+            shortest(*std::get<SceneNumber>(found).value);
+  }
+  return text;
 }
 
 int resume(Study& study, StudyCommand& command, PluginRegistry& plugins) {
@@ -112,6 +134,9 @@ int run(StudyCommand& command) {
       study.pause();
     } else if (command.action == "resume") {
       return resume(study, command, plugins);
+    } else if (command.action == "inject") {
+      needs(1, "SCENE.yaml");
+      study.act("inject", design_of(command.arguments[0], study, plugins));
     } else {
       study.act(command.action, joined(command.arguments));
     }
@@ -133,7 +158,8 @@ void add_study_command(CLI::App& program, int& exit_code) {
       ->required();
   app->add_option(
          "action", command->action,
-         "show, resume, best, export, pause, lock, unlock, set, forbid, extend, undo")
+         "show, resume, best, export, pause, lock, unlock, set, keep, drop, forbid, "
+         "inject, extend, undo")
       ->check(CLI::IsMember(kActions))
       ->capture_default_str();
   app->add_option("arguments", command->arguments, "What the action is about");
@@ -150,9 +176,14 @@ void add_study_command(CLI::App& program, int& exit_code) {
       "Acts are journalled, and hold for a search that runs and for all that follow:\n"
       "  lock PATTERN, unlock PATTERN   variables by path; devices.c1 is all of c1's\n"
       "  set PATH=VALUE                 anything of the scene, as --set\n"
-      "  forbid X,Y,Z X,Y,Z             a box that no device may enter\n"
+      "  keep '{spacing: 50 cm, devices: \"*\"}'   one more constraint\n"
+      "  drop NAME                      one constraint less\n"
+      "  forbid X,Y,Z X,Y,Z             a box that no device may enter; or the name "
+      "of\n"
+      "                                 a region, or a body '{sphere: {radius: 1}}'\n"
+      "  inject SCENE.yaml              search on from that scene's design\n"
       "  extend N                       search on from the best, N evaluations\n"
-      "  undo                           the last act that no round has begun with\n"
+      "  undo                           the last act that isn't undone\n"
       "Examples:\n"
       "  delos optimize scenes/09-camera-room.yaml --study room.study\n"
       "  delos study room.study lock 'devices.ceiling*'\n"

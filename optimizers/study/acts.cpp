@@ -44,6 +44,19 @@ void lock(StudyPosition& now, const std::string& pattern, bool on) {
     throw std::invalid_argument("that would lock every variable; nothing could change");
 }
 
+/// The scene with some of its text changed.
+Scene changed(const Scene& scene, const std::vector<Override>& changes,
+              const std::filesystem::path& folder, PluginRegistry& plugins) {
+  Diagnostics findings;
+  auto read = parse_scene(write_scene(scene), folder / "scene.yaml", changes, plugins,
+                          findings);
+  if (read) return *std::move(read);
+  std::string all;
+  for (const Diagnostic& finding : findings)
+    all += (all.empty() ? "" : "\n") + to_string(finding);
+  throw std::invalid_argument(all);
+}
+
 void set(StudyPosition& now, const std::string& text,
          const std::filesystem::path& folder, PluginRegistry& plugins) {
   const auto change = parse_override(text);
@@ -51,29 +64,20 @@ void set(StudyPosition& now, const std::string& text,
     throw std::invalid_argument("'" + text +
                                 "': write PATH=VALUE, such as "
                                 "devices.c1.at.z=2.5");
-  Diagnostics findings;
-  const auto scene = parse_scene(write_scene(now.scene), folder / "scene.yaml",
-                                 {*change}, plugins, findings);
-  if (!scene) {
-    std::string all;
-    for (const Diagnostic& finding : findings)
-      all += (all.empty() ? "" : "\n") + to_string(finding);
-    throw std::invalid_argument(all);
-  }
-  Scene changed = *scene;
+  Scene other = changed(now.scene, {*change}, folder, plugins);
   const auto number = [&](Scene& of, const std::string& path) {
     return std::get<SceneNumber>(find_number(of, path, plugins)).value;
   };
   // What follows a variable follows a hand that moves it too.
   for (const VariableEntry& v : now.scene.variables) {
-    const auto own = find_number(changed, v.path, plugins);
+    const auto own = find_number(other, v.path, plugins);
     if (!std::holds_alternative<SceneNumber>(own)) continue;
     const double value = *std::get<SceneNumber>(own).value;
     if (value == *number(now.scene, v.path)) continue;
     for (const Follower& f : v.followers)
-      *number(changed, f.path) = f.factor * value + f.offset;
+      *number(other, f.path) = f.factor * value + f.offset;
   }
-  now.scene = std::move(changed);
+  now.scene = std::move(other);
 }
 
 Eigen::Vector3d corner(const std::string& text) {
@@ -91,60 +95,121 @@ Eigen::Vector3d corner(const std::string& text) {
   return p;
 }
 
-void forbid(StudyPosition& now, const std::string& text) {
+std::string free_name(const Scene& scene) {
+  for (int i = 1;; ++i) {
+    const std::string name = "forbidden" + std::to_string(i);
+    const auto is = [&](const auto& entry) { return entry.name == name; };
+    if (std::none_of(scene.regions.begin(), scene.regions.end(), is) &&
+        std::none_of(scene.constraints.begin(), scene.constraints.end(), is))
+      return name;
+  }
+}
+
+/// The body that text stands for: two corners, or a region as scenes write it.
+RegionEntry region_of(const StudyPosition& now, const std::string& text,
+                      const std::filesystem::path& folder, PluginRegistry& plugins) {
+  const std::string name = free_name(now.scene);
+  if (text.find('{') != std::string::npos) {
+    const Scene scene = changed(
+        now.scene, {{"constraints", "[]"}, {"regions", '{' + name + ": " + text + '}'}},
+        folder, plugins);
+    return scene.regions.front();
+  }
   const std::size_t blank = text.find(' ');
   if (blank == std::string::npos)
-    throw std::invalid_argument("'" + text + "': expected two corners X,Y,Z X,Y,Z");
+    throw std::invalid_argument(
+        "'" + text +
+        "': expected a region's name, two corners X,Y,Z X,Y,Z "
+        "or a body such as {sphere: {radius: 1}, at: [0, 0, 2]}");
   const Eigen::Vector3d a = corner(text.substr(0, blank)),
                         b = corner(text.substr(blank + 1));
   const BoxShape box{a.cwiseMin(b), a.cwiseMax(b)};
   if (!((box.max - box.min).array() > 0).all())
     throw std::invalid_argument("'" + text + "': the box is flat");
-  std::string name;
-  for (int i = 1; name.empty(); ++i) {
-    name = "forbidden" + std::to_string(i);
-    for (const RegionEntry& region : now.scene.regions)
-      if (region.name == name) name.clear();
-    if (name.empty()) continue;
-    for (const ConstraintEntry& constraint : now.scene.constraints)
-      if (constraint.name == name) name.clear();
+  return {name, box, {}};
+}
+
+void forbid(StudyPosition& now, const std::string& text,
+            const std::filesystem::path& folder, PluginRegistry& plugins) {
+  std::vector<RegionEntry>& regions = now.scene.regions;
+  const auto known = std::find_if(regions.begin(), regions.end(),
+                                  [&](const RegionEntry& r) { return r.name == text; });
+  const std::string name = free_name(now.scene);
+  std::string region = text;
+  if (known == regions.end()) {
+    RegionEntry entry = region_of(now, text, folder, plugins);
+    region = entry.name;
+    regions.push_back(std::move(entry));
   }
-  now.scene.regions.push_back({name, box, {}});
-  KeepInside keep{{}, name, true, 0};
-  for (const DeviceEntry& device : now.scene.devices)
-    keep.devices.push_back(device.name);
-  now.scene.constraints.push_back({name, std::move(keep)});
+  set(now, "constraints.+={name: " + name + ", outside: " + region + ", devices: '*'}",
+      folder, plugins);
+}
+
+void drop(StudyPosition& now, const std::string& name) {
+  std::vector<ConstraintEntry>& all = now.scene.constraints;
+  if (std::erase_if(all, [&](const ConstraintEntry& c) { return c.name == name; }) > 0)
+    return;
+  std::string known;
+  for (const ConstraintEntry& c : all) known += (known.empty() ? "" : ", ") + c.name;
+  throw std::invalid_argument("there is no constraint '" + name + "'" +
+                              (known.empty() ? "" : "; there are " + known));
+}
+
+/// A design from elsewhere: PATH=VALUE in SI, line by line.
+void inject(StudyPosition& now, const std::string& text, PluginRegistry& plugins) {
+  for (const std::string& line : lines_of(text)) {
+    const auto change = parse_override(line);
+    const auto& variables = now.scene.variables;
+    const auto v = std::find_if(variables.begin(), variables.end(),
+                                [&](const VariableEntry& entry) {
+                                  return change && entry.path == change->path;
+                                });
+    if (v == variables.end())
+      throw std::invalid_argument("'" + line + "': expected VARIABLE=VALUE");
+    const auto parsed = parse_quantity(change->value, "1");
+    const auto* value = std::get_if<double>(&parsed);
+    if (!value)
+      throw std::invalid_argument("'" + line + "': " + std::get<std::string>(parsed));
+    if (!(*value >= v->lower && *value <= v->upper))
+      throw std::invalid_argument("'" + line + "': the bounds of the variable are " +
+                                  shortest(v->lower) + " and " + shortest(v->upper));
+    const auto number = [&](const std::string& path) {
+      return std::get<SceneNumber>(find_number(now.scene, path, plugins)).value;
+    };
+    *number(v->path) = *value;
+    for (const Follower& f : v->followers)
+      *number(f.path) = f.factor * *value + f.offset;
+  }
+}
+
+int count_of(const std::string& text) {
+  const auto count = parse_quantity(text, "1");
+  const auto* number = std::get_if<double>(&count);
+  if (!number || !(*number >= 1 && *number <= 1e9))
+    throw std::invalid_argument("'" + text + "': expected a number of evaluations");
+  return static_cast<int>(*number);
 }
 
 }  // namespace
 
-StudyPosition after_acts(StudyPosition position, const std::vector<StudyAct>& acts,
-                         const std::filesystem::path& folder, PluginRegistry& plugins) {
-  std::vector<StudyPosition> before;
-  for (const StudyAct& act : acts) {
-    if (act.verb == "undo") {
-      if (before.empty())
-        throw std::invalid_argument("there is no act since the last round to undo");
-      position = std::move(before.back());
-      before.pop_back();
-      continue;
-    }
-    before.push_back(position);
-    if (act.verb == "lock" || act.verb == "unlock") {
-      lock(position, act.argument, act.verb == "lock");
-    } else if (act.verb == "set") {
-      set(position, act.argument, folder, plugins);
-    } else if (act.verb == "forbid") {
-      forbid(position, act.argument);
-    } else if (act.verb == "extend") {
-      const auto count = parse_quantity(act.argument, "1");
-      const auto* number = std::get_if<double>(&count);
-      if (!number || !(*number >= 1 && *number <= 1e9))
-        throw std::invalid_argument("'" + act.argument +
-                                    "': expected a number of evaluations");
-    } else {
-      throw std::invalid_argument("there is no act '" + act.verb + "'");
-    }
+StudyPosition after_act(StudyPosition position, const StudyAct& act,
+                        const std::filesystem::path& folder, PluginRegistry& plugins) {
+  if (act.verb == "lock" || act.verb == "unlock") {
+    lock(position, act.argument, act.verb == "lock");
+  } else if (act.verb == "set") {
+    set(position, act.argument, folder, plugins);
+  } else if (act.verb == "keep") {
+    set(position, "constraints.+=" + act.argument, folder, plugins);
+  } else if (act.verb == "drop") {
+    drop(position, act.argument);
+  } else if (act.verb == "forbid") {
+    forbid(position, act.argument, folder, plugins);
+  } else if (act.verb == "inject") {
+    inject(position, act.argument, plugins);
+  } else if (act.verb == "extend") {
+    position.evaluations = count_of(act.argument);
+  } else {
+    throw std::invalid_argument("there is no act '" + act.verb + "'");
   }
   return position;
 }

@@ -12,15 +12,15 @@ namespace delos {
 struct StudyPosition {
   Scene scene;
   std::vector<std::string> locked;  ///< paths
+  int evaluations = 0;              ///< that the next round was given; 0: as planned
 };
 
-/// The position after some acts.
+/// The position after an act other than undo.
 /// @param folder where the scene's relative paths start
-/// @throws std::invalid_argument one sentence: an act can't be done
-[[nodiscard]] StudyPosition after_acts(StudyPosition position,
-                                       const std::vector<StudyAct>& acts,
-                                       const std::filesystem::path& folder,
-                                       PluginRegistry& plugins);
+/// @throws std::invalid_argument one sentence: it can't be done
+[[nodiscard]] StudyPosition after_act(StudyPosition position, const StudyAct& act,
+                                      const std::filesystem::path& folder,
+                                      PluginRegistry& plugins);
 
 /// Take the locked variables out of a scene.
 void remove_locked(Scene& scene, const std::vector<std::string>& locked);

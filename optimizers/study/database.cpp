@@ -1,6 +1,7 @@
 #include "study/database.h"
 
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 namespace delos {
@@ -56,6 +57,8 @@ std::int64_t Statement::integer(int column) const {
 }
 
 double Statement::real(int column) const {
+  if (sqlite3_column_type(statement_.get(), column) == SQLITE_NULL)
+    return std::numeric_limits<double>::quiet_NaN();
   return sqlite3_column_double(statement_.get(), column);
 }
 

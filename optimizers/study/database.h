@@ -27,7 +27,7 @@ class Statement {
   bool step();
 
   [[nodiscard]] std::int64_t integer(int column) const;
-  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] double real(int column) const;  ///< NaN where there is none
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] std::vector<double> numbers(int column) const;
 

@@ -12,14 +12,17 @@ DatabaseLedger::DatabaseLedger(const Database& database, int round,
 bool DatabaseLedger::recall(const EvaluationKey& key, std::span<const double> x,
                             EvaluationRecord& record) {
   const std::lock_guard lock(mutex_);
-  watch_();
   Statement s = database_.prepare(
       "SELECT x, width, objective, slacks, slope, slopes FROM evaluations WHERE "
       "round = ? AND start = ? AND number = ?");
   s.bind(1, std::int64_t{round_})
       .bind(2, std::int64_t{key.start})
       .bind(3, std::int64_t{key.number});
-  if (!s.step()) return false;
+  if (!s.step()) {
+    // Here and not before: what is remembered counts, whoever acted since.
+    watch_();
+    return false;
+  }
   const std::vector<double> known = s.numbers(0);
   if (!std::equal(known.begin(), known.end(), x.begin(), x.end()))
     throw std::runtime_error(

@@ -11,7 +11,7 @@ namespace delos {
 
 class DatabaseLedger final : public EvaluationLedger {
  public:
-  /// @param watch called before each evaluation: whether somebody acted
+  /// @param watch called before each new evaluation: whether somebody acted
   DatabaseLedger(const Database& database, int round, std::function<void()> watch);
 
   bool recall(const EvaluationKey& key, std::span<const double> x,

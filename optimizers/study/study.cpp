@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,6 +11,7 @@
 #include "delos/scene/units.h"
 #include "study/acts.h"
 #include "study/database.h"
+#include "study/journal.h"
 #include "study/ledger.h"
 #include "study/run_lock.h"
 
@@ -133,17 +136,40 @@ struct Study::State {
     return acts;
   }
 
-  /// Where the study stands: the last round, its best values, and the acts since.
-  [[nodiscard]] StudyPosition position() const {
-    const Round last = round(last_round());
-    StudyPosition now = last.position;
-    if (last.ended) now.scene = parsed(last.best_scene);
-    return after_acts(std::move(now), acts_from(last.acts), fact("folder"), plugins);
+  /// The journal up to now.
+  /// @param verb of an act to come: what may be undone needs all rounds, else the last
+  ///             one says where the study stands
+  [[nodiscard]] Journal journal(const std::string& verb = {}) const {
+    Journal journal(fact("folder"), plugins);
+    const int last = last_round();
+    const std::vector<StudyAct> all = acts_from(0);
+    const bool whole =
+        verb == "undo" || std::any_of(all.begin(), all.end(), [](const StudyAct& act) {
+          return act.verb == "undo";
+        });
+    Round next = round(whole ? 1 : last);
+    for (int r = whole ? 1 : last; r <= last; ++r) {
+      Round at = std::move(next);
+      if (at.ended) at.position.scene = parsed(at.best_scene);
+      journal.arrive(std::move(at.position));
+      int end = std::numeric_limits<int>::max();
+      if (r < last) {
+        next = round(r + 1);
+        end = next.acts;
+      }
+      for (const StudyAct& act : all)
+        if (act.number > at.acts && act.number <= end) journal.act(act);
+    }
+    return journal;
   }
+  [[nodiscard]] StudyPosition position() const { return journal().position(); }
 
   [[nodiscard]] bool asked_to_stop(const OptimizeOptions& options) const {
     return (options.cancel && options.cancel->load()) || !fact("pause").empty();
   }
+  bool begin_next_round();
+  void end_round(int number, const std::string& best_scene,
+                 std::optional<double> initial, std::optional<double> best);
   OptimizeResult run_round(int number, const OptimizeOptions& options);
 };
 
@@ -224,12 +250,7 @@ void Study::act(const std::string& verb, const std::string& argument) {
   try {
     // Tried before it is journalled.
     const int number = s.acts_so_far() + 1, after = s.last_round();
-    std::vector<StudyAct> acts = s.acts_from(s.round(after).acts);
-    acts.push_back({number, after, verb, argument});
-    const State::Round last = s.round(after);
-    StudyPosition now = last.position;
-    if (last.ended) now.scene = s.parsed(last.best_scene);
-    (void)after_acts(std::move(now), acts, s.fact("folder"), s.plugins);
+    s.journal(verb).act({number, after, verb, argument});
     s.database.prepare("INSERT INTO acts VALUES (?, ?, ?, ?)")
         .bind(1, std::int64_t{number})
         .bind(2, std::int64_t{after})
@@ -271,16 +292,44 @@ OptimizeResult Study::State::run_round(int number, const OptimizeOptions& option
   result.scene.variables = at.position.scene.variables;
 
   if (asked_to_stop(options) && acts_so_far() <= at.acts) return result;
-  database
-      .prepare(
-          "UPDATE rounds SET ended = 1, best_scene = ?, initial = ?, best = ? WHERE "
-          "number = ?")
-      .bind(1, write_scene(result.scene))
-      .bind(2, result.initial.objective)
-      .bind(3, result.best.objective)
-      .bind(4, std::int64_t{number})
-      .step();
+  end_round(number, write_scene(result.scene), result.initial.objective,
+            result.best.objective);
   return result;
+}
+
+/// Acts that come after it was looked hold for the round after the next.
+/// @returns whether there were acts since the last round, which has ended
+bool Study::State::begin_next_round() {
+  database.run("BEGIN IMMEDIATE");
+  try {
+    const int number = last_round();
+    const Round last = round(number);
+    const std::vector<StudyAct> acts = acts_from(last.acts);
+    const bool begins = last.ended && !acts.empty();
+    if (begins) {
+      StudyPosition now = position();
+      const int evaluations =
+          now.evaluations > 0 ? now.evaluations : plan().evaluations;
+      begin_round(number + 1, now, acts.back().number, evaluations);
+    }
+    database.run("COMMIT");
+    return begins;
+  } catch (...) {
+    database.run("ROLLBACK");
+    throw;
+  }
+}
+
+void Study::State::end_round(int number, const std::string& best_scene,
+                             std::optional<double> initial,
+                             std::optional<double> best) {
+  Statement s = database.prepare(
+      "UPDATE rounds SET ended = 1, best_scene = ?, initial = ?, best = ? WHERE "
+      "number = ?");
+  s.bind(1, best_scene).bind(4, std::int64_t{number});
+  if (initial) s.bind(2, *initial);
+  if (best) s.bind(3, *best);
+  s.step();
 }
 
 OptimizeResult Study::run(const OptimizeOptions& options) {
@@ -288,19 +337,18 @@ OptimizeResult Study::run(const OptimizeOptions& options) {
   const RunLock lock(s.file);
   s.database.run("DELETE FROM facts WHERE name = 'pause'");
   for (;;) {
+    if (s.begin_next_round()) continue;
     const int number = s.last_round();
     const State::Round last = s.round(number);
-    const std::vector<StudyAct> acts = s.acts_from(last.acts);
-    if (last.ended && !acts.empty()) {
-      int evaluations = s.plan().evaluations;
-      for (const StudyAct& act : acts)
-        if (act.verb == "extend") evaluations = std::stoi(act.argument);
-      s.begin_round(number + 1, s.position(), acts.back().number, evaluations);
-      continue;
+    try {
+      // A round that has ended is run again from what is remembered of it.
+      OptimizeResult result = s.run_round(number, options);
+      if (s.asked_to_stop(options) || s.acts_from(last.acts).empty()) return result;
+    } catch (const std::invalid_argument&) {
+      // Nothing can be searched here. Acts that came since may mend that.
+      if (s.acts_from(last.acts).empty()) throw;
+      s.end_round(number, write_scene(last.position.scene), {}, {});
     }
-    // A round that has ended is run again from what is remembered of it.
-    OptimizeResult result = s.run_round(number, options);
-    if (s.asked_to_stop(options) || s.acts_from(last.acts).empty()) return result;
   }
 }
 

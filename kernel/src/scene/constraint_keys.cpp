@@ -68,13 +68,8 @@ void read_sum(Reader& reader, const Place& at, Draft& out) {
 }
 
 void read_metric(Reader& reader, const Place& at, Draft& out) {
-  const auto name = reader.word(at);
-  if (!name) return;
-  const auto known = parse_metric(*name, out.scene->motion.layout);
-  if (const auto* problem = std::get_if<std::string>(&known))
-    reader.error(at, *problem);
-  else
-    out.entry.what = KeepMetric{*name, {}, 0};
+  if (auto name = read_metric_name(reader, at, *out.scene))
+    out.entry.what = KeepMetric{*std::move(name), {}, 0};
 }
 
 void read_limit(Reader& reader, const Place& at, Draft& out) {

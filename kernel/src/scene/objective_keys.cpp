@@ -43,13 +43,8 @@ void read_reduction(Reader& reader, const Place& at, Draft& out, bool maximize) 
 }
 
 void read_metric(Reader& reader, const Place& at, Draft& out) {
-  const auto name = reader.word(at);
-  if (!name) return;
-  const auto known = parse_metric(*name, out.scene->motion.layout);
-  if (const auto* problem = std::get_if<std::string>(&known))
-    reader.error(at, *problem);
-  else
-    out.term.metric = *name;
+  if (auto name = read_metric_name(reader, at, *out.scene))
+    out.term.metric = *std::move(name);
 }
 
 /// A number within (least, greatest), or [least, … where `inclusive`.
@@ -230,6 +225,18 @@ constexpr std::array<Key<ObjectiveDraft>, 2> kObjectiveKeys = {{
 }};
 
 }  // namespace
+
+std::optional<std::string> read_metric_name(Reader& reader, const Place& at,
+                                            const Scene& scene) {
+  auto name = reader.word(at);
+  if (!name) return std::nullopt;
+  const auto known = parse_metric(*name, scene.motion.layout);
+  if (const auto* problem = std::get_if<std::string>(&known)) {
+    reader.error(at, *problem);
+    return std::nullopt;
+  }
+  return name;
+}
 
 void read_objective(Reader& reader, const Place& at, Scene& scene) {
   ObjectiveDraft draft{&scene, {}};

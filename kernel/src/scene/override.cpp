@@ -28,8 +28,10 @@ std::vector<std::string> components(const std::string& key) {
   return {"x", "y", "z"};
 }
 
+bool is_list(const Node& node) { return node.kind == Node::Kind::list; }
+
 bool is_vector(const Node& list) {
-  return list.kind == Node::Kind::list &&
+  return is_list(list) &&
          std::none_of(list.items.begin(), list.items.end(), [](const Node& item) {
            return item.kind == Node::Kind::map || item.kind == Node::Kind::list;
          });
@@ -91,10 +93,15 @@ class Walk {
  private:
   Node* step(Node& node, std::size_t i, const std::string& key) {
     const std::string& segment = segments_[i];
+    if (segment == "+" && (node.kind == Node::Kind::null || is_list(node))) {
+      node.kind = Node::Kind::list;
+      node.items.emplace_back().mark = where_;
+      return &node.items.back();
+    }
     if (node.kind == Node::Kind::null) node.kind = Node::Kind::map;
     if (node.kind == Node::Kind::scalar)
       return fail(i, "there is nothing inside a single value");
-    if (node.kind == Node::Kind::list) {
+    if (is_list(node)) {
       Node* member = find_member(node, segment, key);
       return member ? member
                     : fail(i, "there is no such member" +

@@ -13,6 +13,11 @@ void read_objective(Reader& reader, const Place& at, Scene& scene);
 void read_constraints(Reader& reader, const Place& at, Scene& scene);
 void read_selection(Reader& reader, const Place& at, Scene& scene);
 
+/// A metric of the scene, by its name; nullopt, with a finding, where there is none.
+[[nodiscard]] std::optional<std::string> read_metric_name(Reader& reader,
+                                                          const Place& at,
+                                                          const Scene& scene);
+
 // nullopt where there is nothing to write.
 [[nodiscard]] std::optional<Node> write_variables(const Scene& scene);
 [[nodiscard]] std::optional<Node> write_objective(const Scene& scene);

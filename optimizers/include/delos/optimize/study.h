@@ -23,7 +23,7 @@ struct StudyPlan {
 struct StudyAct {
   int number = 0;
   int after_round = 0;   ///< it holds from the next round on
-  std::string verb;      ///< lock, unlock, set, forbid, undo, extend
+  std::string verb;      ///< see Study::act()
   std::string argument;  ///< as written
 };
 
@@ -31,8 +31,9 @@ struct StudyAct {
 struct StudyRound {
   int number = 0;
   bool ended = false;
-  std::size_t evaluations = 0;   ///< kept in the file
-  double initial = 0, best = 0;  ///< objective on all samples; of an ended round
+  std::size_t evaluations = 0;  ///< kept in the file
+  /// Objective on all samples, of an ended round; NaN where it couldn't be searched.
+  double initial = 0, best = 0;
 };
 
 /// Everything that a study holds but its evaluations.
@@ -69,9 +70,16 @@ class Study {
   ///
   ///   lock PATTERN · unlock PATTERN     variables, by path; * is any part of a name
   ///   set PATH=VALUE                    anything of the scene, as --set
-  ///   forbid X,Y,Z X,Y,Z                a box that no device may enter
-  ///   undo                              the last act that isn't undone
+  ///   keep {spacing: 1, devices: "*"}   one more constraint, as scenes write it
+  ///   drop NAME                         one constraint less
+  ///   forbid REGION                     a region of the scene that no device may
+  ///                                     enter, a body as scenes write it, or a box by
+  ///                                     two corners X,Y,Z X,Y,Z
+  ///   inject VARIABLE=VALUE …           a design, SI, a line each: the search goes on
+  ///                                     from it
   ///   extend N                          N more evaluations from the best so far
+  ///   undo                              the last act that isn't undone, of any round;
+  ///                                     variables that it didn't move stay as found
   ///
   /// @throws std::invalid_argument what is wrong with it; nothing is journalled then
   void act(const std::string& verb, const std::string& argument);
