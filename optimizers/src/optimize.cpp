@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -91,52 +93,74 @@ std::vector<ConstraintReport> report(Problem& problem, const Score& score) {
   return all;
 }
 
-/// Run all starts, several at once, each on a problem of its own.
-std::vector<std::vector<double>> run_starts(
-    const Scene& scene, PluginRegistry& plugins, const OptimizeOptions& options,
-    const Plan& plan, const std::vector<std::vector<double>>& starts, Shared& shared,
-    bool& spent) {
-  const int threads =
-      options.threads > 0
-          ? options.threads
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int workers = std::min<int>(threads, static_cast<int>(starts.size()));
-  const ProblemOptions each{options.samples, std::max(1, threads / workers)};
-  const ProblemOptions fewer{std::max<std::size_t>(options.samples / 4, 64),
-                             each.threads};
-  std::vector<std::unique_ptr<Problem>> problems, coarse;
-  for (int w = 0; w < workers; ++w) {
-    problems.push_back(std::make_unique<Problem>(scene, plugins, each));
-    coarse.push_back(std::make_unique<Problem>(scene, plugins, fewer));
+/// Starts that are worked on by several threads, each at a workplace of its own.
+class Team {
+ public:
+  Team(const Scene& scene, PluginRegistry& plugins, const OptimizeOptions& options,
+       std::size_t starts) {
+    const auto threads = static_cast<std::size_t>(
+        options.threads > 0
+            ? options.threads
+            : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    const std::size_t workers = std::min(threads, starts);
+    const auto each = static_cast<int>(threads / workers);
+    for (std::size_t w = 0; w < workers; ++w)
+      places_.push_back(std::make_unique<Workplace>(
+          scene, plugins, ProblemOptions{options.samples, each}));
   }
 
-  std::vector<std::vector<double>> ends(starts.size());
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  std::atomic<bool> any_spent = false;
-  const auto work = [&](int worker) {
-    for (std::size_t k = next++; k < starts.size(); k = next++) {
-      try {
-        const auto w = static_cast<std::size_t>(worker);
-        Start start(*problems[w], *coarse[w], options, plan, static_cast<int>(k),
-                    shared);
-        ends[k] = start.run(starts[k]);
-        if (start.spent()) any_spent = true;
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = starts.size();
+  /// work(k, place) for every k < count.
+  template <class Work>
+  void each(std::size_t count, Work&& work) {
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto run = [&](Workplace& place) {
+      for (std::size_t k = next++; k < count; k = next++) {
+        try {
+          work(k, place);
+        } catch (...) {
+          const std::lock_guard lock(mutex);
+          if (!failure) failure = std::current_exception();
+          next = count;
+        }
       }
-    }
-  };
-  std::vector<std::thread> team;
-  for (int w = 1; w < workers; ++w) team.emplace_back(work, w);
-  work(0);
-  for (std::thread& t : team) t.join();
-  if (failure) std::rethrow_exception(failure);
-  spent = any_spent;
-  return ends;
+    };
+    std::vector<std::thread> others;
+    for (std::size_t w = 1; w < places_.size(); ++w)
+      others.emplace_back(run, std::ref(*places_[w]));
+    run(*places_[0]);
+    for (std::thread& t : others) t.join();
+    if (failure) std::rethrow_exception(failure);
+  }
+
+  [[nodiscard]] const std::vector<Limit>& limits() const {
+    return places_[0]->problem.limits();
+  }
+
+ private:
+  std::vector<std::unique_ptr<Workplace>> places_;
+};
+
+/// Explore from all starts, and finish the better half, the best first.
+std::vector<Start> run_starts(const Scene& scene, PluginRegistry& plugins,
+                              const OptimizeOptions& options, const Plan& plan,
+                              const std::vector<std::vector<double>>& from,
+                              Shared& shared) {
+  std::vector<Start> starts;
+  for (std::size_t k = 0; k < from.size(); ++k)
+    starts.emplace_back(options, plan, static_cast<int>(k), shared);
+  Team team(scene, plugins, options, from.size());
+  team.each(from.size(),
+            [&](std::size_t k, Workplace& at) { starts[k].explore(at, from[k]); });
+  std::vector<std::size_t> order(from.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return better(starts[a].best_score(), starts[b].best_score(), team.limits());
+  });
+  team.each((from.size() + 1) / 2,
+            [&](std::size_t k, Workplace& at) { starts[order[k]].finish(at); });
+  return starts;
 }
 
 }  // namespace
@@ -194,20 +218,19 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
   }
 
   Shared shared(options, static_cast<std::size_t>(plan.per_start) * starts.size());
-  bool spent = false;
-  const auto ends = run_starts(scene, plugins, options, plan, starts, shared, spent);
+  const std::vector<Start> ends =
+      run_starts(scene, plugins, options, plan, starts, shared);
 
   // Judge all ends on all samples, and never leave with less than there was.
   result.initial_x = whole.design().start();
   result.initial = whole.score(result.initial_x);
   result.best_x = starts.front();
   result.best = whole.score(result.best_x);
-  for (const std::vector<double>& x : ends) {
-    if (x.empty()) continue;
-    const Score score = whole.score(x);
+  for (const Start& end : ends) {
+    const Score score = whole.score(end.best());
     if (!better(score, result.best, whole.limits())) continue;
     result.best = score;
-    result.best_x = x;
+    result.best_x = end.best();
   }
   if (better(result.initial, result.best, whole.limits())) {
     result.best = result.initial;
@@ -218,6 +241,8 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
   result.best_field = whole.field(result.best_x);
   result.scene = whole.design().scene();
   const bool cancelled = options.cancel && options.cancel->load();
+  const bool spent = std::any_of(ends.begin(), ends.end(),
+                                 [](const Start& end) { return end.spent(); });
   result.stop = !result.best.feasible() ? SearchStop::infeasible
                 : cancelled             ? SearchStop::cancelled
                 : spent                 ? SearchStop::budget

@@ -153,6 +153,12 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
   s.read_objective();
   s.read_limits();
   s.find_touched();
+  // Beacons come into view and go at once, whatever the device's place.
+  for (const Touched& what : s.touched)
+    for (const std::size_t i : what.layers)
+      if (s.system.devices[i].beacons)
+        s.slope_problem = "what " + s.system.devices[i].name +
+                          " sees of beacons has no derivative here";
   for (const Metric& metric : s.metrics) {
     if (const std::string problem = metric_problem(s.system, metric); !problem.empty())
       throw std::invalid_argument(problem);

@@ -41,7 +41,8 @@ EvaluationRecord Start::remembered(std::span<const double> x, bool slopes,
 }
 
 Score Start::hard(std::span<const double> x) {
-  return remembered(x, false, [&](EvaluationRecord& r) { r.score = problem_.score(x); })
+  return remembered(x, false,
+                    [&](EvaluationRecord& r) { r.score = at_->problem.score(x); })
       .score;
 }
 
@@ -49,8 +50,8 @@ EvaluationRecord Start::soft(std::span<const double> x, double width) {
   return remembered(x, true, [&](EvaluationRecord& r) {
     r.width = width;
     r.slope.resize(x.size());
-    r.slopes.resize(problem_.limits().size() * x.size());
-    Problem& problem = width >= kCoarseWidth ? coarse_ : problem_;
+    r.slopes.resize(limits().size() * x.size());
+    Problem& problem = width >= kCoarseWidth ? at_->coarse : at_->problem;
     r.score = problem.score_with_slopes(x, width, r.slope.data(), r.slopes.data());
   });
 }
@@ -60,36 +61,45 @@ void Start::note() {
 }
 
 void Start::take(std::span<const double> x, const Score& score) {
-  if (!better(score, best_score_, problem_.limits())) return;
+  if (!better(score, best_score_, limits())) return;
   best_.assign(x.begin(), x.end());
   best_score_ = score;
   note();
 }
 
-std::vector<double> Start::run(const std::vector<double>& from) {
-  best_ = from;
+void Start::explore(Workplace& at, const std::vector<double>& from) {
+  at_ = &at;
+  x_ = best_ = from;
   best_score_ = hard(from);
   note();
-  const bool staged = plan_.traits.slopes;
-  std::vector<double> x = from;
-  const int stages = staged ? static_cast<int>(std::size(kWidths)) : 1;
-  for (int stage = 0; stage < stages && !cancelled(); ++stage) {
-    x = run_stage(x, staged ? kWidths[stage] : 0, plan_.per_start / stages);
-    if (!staged) break;
-    take(x, hard(x));
+  if (plan_.traits.slopes)
+    run_stages(0, kExploring);
+  else if (!cancelled())
+    (void)run_stage(from, 0, plan_.per_start);
+}
+
+void Start::finish(Workplace& at) {
+  at_ = &at;
+  if (plan_.traits.slopes) run_stages(kExploring, static_cast<int>(std::size(kWidths)));
+}
+
+void Start::run_stages(int first, int end) {
+  const int each = plan_.per_start / static_cast<int>(std::size(kWidths));
+  for (int stage = first; stage < end && !cancelled(); ++stage) {
+    x_ = run_stage(x_, kWidths[stage], each);
+    take(x_, hard(x_));
   }
-  return best_;
 }
 
 /// @returns the best point of the stage by what the stage minimises
 std::vector<double> Start::run_stage(const std::vector<double>& from, double width,
                                      int evaluations) {
   std::vector<double> stage_best = from;
-  Score stage_score{kInfinity, std::vector<double>(problem_.limits().size(), -1e300)};
+  Score stage_score{kInfinity, std::vector<double>(limits().size(), -1e300)};
   // Numbers of very different size make steps that are much too long or short.
   double scale = 0;
   BoxProblem box;
-  box.limits = problem_.limits().size();
+  box.limits = limits().size();
   box.evaluate = [&](std::span<const double> x, double* g, double* slope,
                      double* g_slopes) {
     EvaluationRecord record;
@@ -98,7 +108,7 @@ std::vector<double> Start::run_stage(const std::vector<double>& from, double wid
     else
       record.score = hard(x);
     const Score& score = record.score;
-    if (better(score, stage_score, problem_.limits())) {
+    if (better(score, stage_score, limits())) {
       stage_best.assign(x.begin(), x.end());
       stage_score = score;
     }
@@ -108,7 +118,7 @@ std::vector<double> Start::run_stage(const std::vector<double>& from, double wid
     const std::size_t n = x.size();
     for (std::size_t v = 0; slope && v < n; ++v) slope[v] = record.slope[v] / scale;
     for (std::size_t i = 0; i < box.limits; ++i) {
-      const double unit = problem_.limits()[i].scale;
+      const double unit = limits()[i].scale;
       g[i] = kRoom - score.slacks[i] / unit;
       for (std::size_t v = 0; g_slopes && v < n; ++v)
         g_slopes[i * n + v] = -record.slopes[i * n + v] / unit;

@@ -1,6 +1,7 @@
 // One start of a search, and what all starts share.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <mutex>
 #include <span>
@@ -13,6 +14,9 @@ namespace delos {
 
 /// Widths of edges, radians, one a stage; at last they are as hard as they are judged.
 inline constexpr double kWidths[] = {0.3, 0.1, 0.03, 0.01, 0};
+/// After so many stages the worse half of the starts is given up, which spares the time
+/// of the sharp stages, on all samples.
+inline constexpr int kExploring = 3;
 
 /// A search as it was decided on.
 struct Plan {
@@ -63,21 +67,31 @@ class Shared {
 /// Edges at least so wide are searched on a quarter of the samples.
 inline constexpr double kCoarseWidth = 0.1;
 
+/// A problem, for one thread at a time.
+struct Workplace {
+  Workplace(const Scene& scene, PluginRegistry& plugins, const ProblemOptions& options)
+      : problem(scene, plugins, options),
+        coarse(scene, plugins,
+               {std::max<std::size_t>(options.samples / 4, 64), options.threads}) {}
+
+  Problem problem;
+  Problem coarse;  ///< on fewer samples, for wide edges
+};
+
 /// One start of a search. What is passed is kept by reference.
 class Start {
  public:
-  /// @param coarse the same problem on fewer samples, for wide edges
-  Start(Problem& problem, Problem& coarse, const OptimizeOptions& options,
-        const Plan& plan, int index, Shared& shared)
-      : problem_(problem),
-        coarse_(coarse),
-        options_(options),
-        plan_(plan),
-        index_(index),
-        shared_(shared) {}
+  Start(const OptimizeOptions& options, const Plan& plan, int index, Shared& shared)
+      : options_(options), plan_(plan), index_(index), shared_(shared) {}
 
-  /// @returns the best point by its hard score on the samples of the search
-  std::vector<double> run(const std::vector<double>& from);
+  /// The first stages, or all of a method that has none.
+  void explore(Workplace& at, const std::vector<double>& from);
+  /// The other stages.
+  void finish(Workplace& at);
+
+  /// The best point by its hard score on the samples of the search.
+  [[nodiscard]] const std::vector<double>& best() const { return best_; }
+  [[nodiscard]] const Score& best_score() const { return best_score_; }
 
   /// Whether evaluations ran out before a stage had come to its end.
   [[nodiscard]] bool spent() const { return spent_; }
@@ -93,16 +107,21 @@ class Start {
   EvaluationRecord soft(std::span<const double> x, double width);
   void note();
   void take(std::span<const double> x, const Score& score);
+  void run_stages(int first, int end);
   std::vector<double> run_stage(const std::vector<double>& from, double width,
                                 int evaluations);
+  [[nodiscard]] const std::vector<Limit>& limits() const {
+    return at_->problem.limits();
+  }
 
-  Problem &problem_, &coarse_;
+  Workplace* at_ = nullptr;
   const OptimizeOptions& options_;
   const Plan& plan_;
   int index_;
   Shared& shared_;
   int number_ = 0;
   bool spent_ = false;
+  std::vector<double> x_;  // where the last stage ended
   std::vector<double> best_;
   Score best_score_;
 };

@@ -100,10 +100,10 @@ struct OptimizeResult {
 /// Search for the least objective that keeps all constraints.
 ///
 /// With slopes: from each start, SLSQP (CCSA for many variables) over edges that are
-/// 0.3, 0.1, 0.03, 0.01 and 0 rad wide; every stage's end is scored hard. Without:
-/// BOBYQA, or COBYLA where there are limits. Starts: the scene as it stands, then
-/// random ones, half of them near it, all by the seed. The best is scored on all
-/// samples.
+/// 0.3, 0.1, 0.03, 0.01 and 0 rad wide; every stage's end is scored hard, and after the
+/// third the worse half of the starts is given up. Without: BOBYQA, or COBYLA where
+/// there are limits. Starts: the scene as it stands, then random ones, half of them near
+/// it, all by the seed. The best is scored on all samples.
 /// @throws std::invalid_argument one sentence: nothing to change, a method that doesn't
 ///         fit, or constraints that contradict each other, by name
 [[nodiscard]] OptimizeResult optimize(const Scene& scene, PluginRegistry& plugins,
