@@ -1,6 +1,7 @@
 #include "output/colour_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace delos {
 
@@ -27,6 +28,23 @@ Rgb viridis(double t) {
   }
   return {std::clamp(colour.r, 0.0, 1.0), std::clamp(colour.g, 0.0, 1.0),
           std::clamp(colour.b, 0.0, 1.0)};
+}
+
+// Linear between the five colours of the scheme RdBu.
+//
+// Source: Brewer (2002), https://colorbrewer2.org, Apache-2.0.
+Rgb red_to_blue(double t) {
+  static constexpr Rgb kColours[] = {{178 / 255., 24 / 255., 43 / 255.},
+                                     {244 / 255., 165 / 255., 130 / 255.},
+                                     {247 / 255., 247 / 255., 247 / 255.},
+                                     {146 / 255., 197 / 255., 222 / 255.},
+                                     {33 / 255., 102 / 255., 172 / 255.}};
+  const double at = 4 * std::clamp(t, 0.0, 1.0);
+  const int left = std::min(static_cast<int>(at), 3);
+  const Rgb &a = kColours[left], &b = kColours[left + 1];
+  const double part = at - left;
+  return {std::lerp(a.r, b.r, part), std::lerp(a.g, b.g, part),
+          std::lerp(a.b, b.b, part)};
 }
 
 }  // namespace delos

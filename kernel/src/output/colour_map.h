@@ -12,4 +12,8 @@ struct Rgb {
 /// at 0 over green to bright yellow at 1; t is clamped.
 [[nodiscard]] Rgb viridis(double t);
 
+/// Red at 0 over nearly white at ½ to blue at 1, for what may fall or rise; readable to
+/// the colour-blind. t is clamped.
+[[nodiscard]] Rgb red_to_blue(double t);
+
 }  // namespace delos

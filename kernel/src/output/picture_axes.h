@@ -8,7 +8,7 @@
 #include "output/canvas.h"
 #include "output/shading.h"
 #include "output/slice.h"
-#include "output/ticks.h"
+#include "delos/output/ticks.h"
 
 namespace delos {
 

@@ -14,6 +14,7 @@ struct ColourScale {
   double low = 0, high = 0;  ///< SI; equal where all values are
   bool log10 = false;        ///< positions follow log10 of the value
   bool bright_high = false;  ///< the bright end is `high`, else `low`
+  bool change = false;       ///< from blue over white to red; blue where bright
 
   [[nodiscard]] bool flat() const { return !(high > low); }
 
@@ -21,7 +22,8 @@ struct ColourScale {
   [[nodiscard]] double position(double value) const;
 
   [[nodiscard]] Rgb colour(double position) const {
-    return viridis(bright_high ? position : 1 - position);
+    const double bright = bright_high ? position : 1 - position;
+    return change ? red_to_blue(bright) : viridis(bright);
   }
 };
 

@@ -1,4 +1,4 @@
-#include "output/ticks.h"
+#include "delos/output/ticks.h"
 
 #include <algorithm>
 #include <cmath>

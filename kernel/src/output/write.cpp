@@ -127,4 +127,9 @@ std::string write_field(const Field& field, const std::filesystem::path& file,
                      [&](std::ostream& out) { format.write(field, picture, out); });
 }
 
+std::string write_text(const std::filesystem::path& file, std::string_view text) {
+  if (std::string why = missing_folder(file); !why.empty()) return why;
+  return commit_file(file, [&](std::ostream& out) { out << text; });
+}
+
 }  // namespace delos

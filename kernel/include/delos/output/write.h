@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "delos/api.h"
 #include "delos/field/field.h"
@@ -36,6 +37,11 @@ struct PictureOptions {
 [[nodiscard]] DELOS_API std::string write_field(const Field& field,
                                                 const std::filesystem::path& file,
                                                 const PictureOptions& picture = {});
+
+/// Write a text as it is, whole or not at all, as write_field() does.
+/// @returns empty, or a sentence that says why it was not written
+[[nodiscard]] DELOS_API std::string write_text(const std::filesystem::path& file,
+                                               std::string_view text);
 
 /// Empty where write_field() knows the suffix and can show this field; else why not.
 /// Asked before a long evaluation.
