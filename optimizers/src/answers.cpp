@@ -34,7 +34,7 @@ double reach(std::vector<double> x, std::size_t v, double end, Kept&& kept) {
 }  // namespace
 
 Answers answers(Problem& problem, std::span<const double> at, double loss,
-                const std::atomic<bool>* cancel) {
+                const std::atomic<bool>* cancel, const AnswerProgress& progress) {
   const std::vector<double> x(at.begin(), at.end());
   const Score best = problem.score(x);
   const double most = best.objective + loss * std::abs(best.objective);
@@ -53,7 +53,10 @@ Answers answers(Problem& problem, std::span<const double> at, double loss,
   std::vector<double> slope(x.size()), slopes(x.size() * problem.limits().size());
   if (problem.slope_problem().empty())
     (void)problem.score_with_slopes(x, kWidth, slope.data(), slopes.data());
+  const auto& devices = design.scene().devices;
+  const std::size_t steps = x.size() + devices.size();
   for (std::size_t v = 0; v < x.size() && !stopped(); ++v) {
+    if (progress) progress(v, steps);
     VariableAnswer one;
     one.path = design.scene().variables[v].path;
     constexpr double kStep = 1e-6;
@@ -67,8 +70,8 @@ Answers answers(Problem& problem, std::span<const double> at, double loss,
     one.up_is_bound = high == 1;
     all.variables.push_back(std::move(one));
   }
-  const auto& devices = design.scene().devices;
   for (std::size_t i = 0; devices.size() > 1 && i < devices.size() && !stopped(); ++i) {
+    if (progress) progress(x.size() + i, steps);
     const double without = problem.objective_without(x, i);
     all.devices.push_back(
         {devices[i].name, (without - best.objective) / std::abs(best.objective)});

@@ -81,18 +81,6 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::vector<ConstraintReport> report(Problem& problem, const Score& score) {
-  std::vector<ConstraintReport> all;
-  for (const ConstraintEntry& entry : problem.design().scene().constraints)
-    all.push_back({entry.name, true, kInfinity});
-  for (std::size_t i = 0; i < problem.limits().size(); ++i) {
-    ConstraintReport& one = all[problem.limits()[i].constraint];
-    one.slack = std::min(one.slack, score.slacks[i]);
-    one.satisfied = one.slack >= 0;
-  }
-  return all;
-}
-
 /// Starts that are worked on by several threads, each at a workplace of its own.
 class Team {
  public:
@@ -185,6 +173,18 @@ std::vector<std::string> algorithm_names() {
   return names;
 }
 
+std::vector<ConstraintReport> constraint_reports(Problem& problem, const Score& score) {
+  std::vector<ConstraintReport> all;
+  for (const ConstraintEntry& entry : problem.design().scene().constraints)
+    all.push_back({entry.name, true, kInfinity});
+  for (std::size_t i = 0; i < problem.limits().size(); ++i) {
+    ConstraintReport& one = all[problem.limits()[i].constraint];
+    one.slack = std::min(one.slack, score.slacks[i]);
+    one.satisfied = one.slack >= 0;
+  }
+  return all;
+}
+
 Scene with_guess(Scene scene, PluginRegistry& plugins) {
   if (scene.objective.guess == 0)
     scene.objective.guess = Problem(scene, plugins, {0, 0}).guess();
@@ -236,7 +236,7 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
     result.best = result.initial;
     result.best_x = result.initial_x;
   }
-  result.constraints = report(whole, result.best);
+  result.constraints = constraint_reports(whole, result.best);
   result.initial_field = whole.field(result.initial_x);
   result.best_field = whole.field(result.best_x);
   result.scene = whole.design().scene();

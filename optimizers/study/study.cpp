@@ -63,6 +63,7 @@ struct Study::State {
     plan.evaluations = std::stoi(fact("evaluations"));
     plan.seed = std::stoull(fact("seed"));
     plan.samples = std::stoull(fact("samples"));
+    plan.version = fact("version");
     return plan;
   }
 
@@ -197,6 +198,7 @@ Study Study::create(const std::filesystem::path& file, const Scene& scene,
     state.set_fact("starts", std::to_string(plan.starts));
     state.set_fact("seed", std::to_string(plan.seed));
     state.set_fact("samples", std::to_string(plan.samples));
+    state.set_fact("version", plan.version);
     state.begin_round(1, {with_guess(scene, plugins), {}}, 0, plan.evaluations);
     state.database.run("COMMIT");
   }
@@ -242,6 +244,31 @@ Scene Study::scene(int round) const {
   if (round < 0) return s.position().scene;
   const State::Round at = s.round(std::max(round, 1));
   return round > 0 && at.ended ? s.parsed(at.best_scene) : at.position.scene;
+}
+
+Scene Study::searched_scene(int round) const {
+  const State& s = *state_;
+  StudyPosition began = s.round(round < 0 ? s.last_round() : round).position;
+  remove_locked(began.scene, began.locked);
+  return std::move(began.scene);
+}
+
+std::vector<StudyEvaluation> Study::evaluations(int round) const {
+  Statement s = state_->database.prepare(
+      "SELECT start, number, width, objective, slacks, x FROM evaluations WHERE round "
+      "= ? ORDER BY start, number");
+  s.bind(1, std::int64_t{round});
+  std::vector<StudyEvaluation> all;
+  while (s.step()) {
+    const Score score{s.real(3), s.numbers(4)};
+    all.push_back({round,
+                   {static_cast<int>(s.integer(0)), static_cast<int>(s.integer(1))},
+                   s.real(2),
+                   score.objective,
+                   score.feasible(),
+                   s.numbers(5)});
+  }
+  return all;
 }
 
 void Study::act(const std::string& verb, const std::string& argument) {

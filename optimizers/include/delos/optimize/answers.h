@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,9 +35,13 @@ struct Answers {
   std::vector<DeviceAnswer> devices;  ///< the one that is missed most stands first
 };
 
+using AnswerProgress = std::function<void(std::size_t done, std::size_t of)>;
+
 /// @param x the design, in the unit cube
+/// @param progress called with steps done and steps in all
 /// @cost some twenty evaluations a variable, each of which moves one device
 [[nodiscard]] Answers answers(Problem& problem, std::span<const double> x, double loss,
-                              const std::atomic<bool>* cancel = nullptr);
+                              const std::atomic<bool>* cancel = nullptr,
+                              const AnswerProgress& progress = {});
 
 }  // namespace delos

@@ -75,6 +75,10 @@ struct ConstraintReport {
   double slack = 0;  ///< least of its limits, SI; below 0: so much is missing
 };
 
+/// Whether a score of the problem keeps each constraint of its scene.
+[[nodiscard]] std::vector<ConstraintReport> constraint_reports(Problem& problem,
+                                                               const Score& score);
+
 /// What came of a search. Scores are hard, on all samples of the scene.
 struct OptimizeResult {
   std::vector<double> initial_x, best_x;  ///< in the unit cube

@@ -17,6 +17,7 @@ struct StudyPlan {
   int starts = 0;
   std::uint64_t seed = 1;
   std::size_t samples = 1500;
+  std::string version;  ///< of the program that began it; "" where it isn't known
 };
 
 /// Something a person did to a study.
@@ -34,6 +35,16 @@ struct StudyRound {
   std::size_t evaluations = 0;  ///< kept in the file
   /// Objective on all samples, of an ended round; NaN where it couldn't be searched.
   double initial = 0, best = 0;
+};
+
+/// An evaluation of a study, as it is remembered.
+struct StudyEvaluation {
+  int round = 0;
+  EvaluationKey key;
+  double width = 0;      ///< softness of edges; 0: hard
+  double objective = 0;  ///< on the samples of the search
+  bool feasible = false;
+  std::vector<double> x;  ///< in the unit cube of the variables that weren't locked
 };
 
 /// Everything that a study holds but its evaluations.
@@ -65,6 +76,14 @@ class Study {
   /// those it began with. 0: the scene as it was given. −1: the last round.
   /// @throws std::invalid_argument there is no such round
   [[nodiscard]] Scene scene(int round = -1) const;
+
+  /// The scene that a round began with, without the variables that were locked.
+  /// @param round −1: the last one
+  /// @throws std::invalid_argument there is no such round
+  [[nodiscard]] Scene searched_scene(int round = -1) const;
+
+  /// All evaluations of a round, start after start, in the order of each.
+  [[nodiscard]] std::vector<StudyEvaluation> evaluations(int round) const;
 
   /// Journal an act, for a search that runs or for the next one.
   ///
