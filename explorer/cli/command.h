@@ -97,6 +97,8 @@ void add_devices_command(CLI::App& program, int& exit_code);
 void add_optimize_command(CLI::App& program, int& exit_code);
 void add_study_command(CLI::App& program, int& exit_code);
 void add_select_command(CLI::App& program, int& exit_code);
+void add_tradeoff_command(CLI::App& program, int& exit_code);
+void add_report_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
 
 }  // namespace delos::cli

@@ -52,6 +52,16 @@ Samples planned_samples(const Scene& scene) {
   return samples;
 }
 
+std::vector<Samples> level_planes(const Scene& scene) {
+  const AdaptiveSampling* box = adaptive(scene);
+  if (!box) return {};
+  std::vector<Samples> planes;  // at whole millimetres
+  for (const double at : {1 / 6.0, 3 / 6.0, 5 / 6.0})
+    planes.push_back(level_plane(
+        *box, std::round(1e3 * std::lerp(box->min.z(), box->max.z(), at)) / 1e3));
+  return planes;
+}
+
 std::string drawable(const Scene& scene, const Samples& samples,
                      const std::filesystem::path& file) {
   const AdaptiveSampling* box = adaptive(scene);

@@ -18,6 +18,9 @@ struct Evaluation {
 /// The samples that a scene will have; of adaptive ones, an octree without nodes.
 [[nodiscard]] Samples planned_samples(const Scene& scene);
 
+/// Of an adaptive scene, three level planes to draw it on; else none.
+[[nodiscard]] std::vector<Samples> level_planes(const Scene& scene);
+
 /// Why `file` can't show these samples; empty where it can. As writable(), but that
 /// octrees are drawn too.
 [[nodiscard]] std::string drawable(const Scene& scene, const Samples& samples,

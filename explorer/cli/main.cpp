@@ -36,6 +36,8 @@ int main(int argc, char** argv) {
   add_optimize_command(program, exit_code);
   add_study_command(program, exit_code);
   add_select_command(program, exit_code);
+  add_tradeoff_command(program, exit_code);
+  add_report_command(program, exit_code);
   add_demo_command(program, exit_code);
   try {
     program.parse(argc, argv);

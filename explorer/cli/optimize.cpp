@@ -61,9 +61,10 @@ OptimizeResult search(OptimizeCommand& command, const Scene& scene,
                       PluginRegistry& plugins) {
   if (command.study.empty()) return optimize(scene, plugins, command.search);
   const OptimizeOptions& s = command.search;
-  return Study::create(command.study, scene, command.scene.parent_path(),
-                       {s.algorithm, s.evaluations, s.starts, s.seed, s.samples},
-                       plugins)
+  return Study::create(
+             command.study, scene, command.scene.parent_path(),
+             {s.algorithm, s.evaluations, s.starts, s.seed, s.samples, DELOS_VERSION},
+             plugins)
       .run(command.search);
 }
 

@@ -46,6 +46,8 @@ SceneNumber number_of(Scene& scene, const std::string& path, PluginRegistry& plu
   return std::get<SceneNumber>(find_number(scene, path, plugins));
 }
 
+}  // namespace
+
 std::string constraint_unit(const ConstraintEntry& entry, const Scene& scene) {
   if (std::holds_alternative<KeepTilt>(entry.what)) return "rad";
   if (std::holds_alternative<KeepSum>(entry.what)) return "1";
@@ -55,12 +57,10 @@ std::string constraint_unit(const ConstraintEntry& entry, const Scene& scene) {
 }
 
 /// What a maximised objective is, without the sign that minimising gave it.
-double shown(const Scene& scene, double objective) {
+double objective_shown(const Scene& scene, double objective) {
   const auto& terms = scene.objective.terms;
   return terms.size() == 1 && terms.front().maximize ? -objective : objective;
 }
-
-}  // namespace
 
 std::string objective_text(const Scene& scene) {
   const auto& terms = scene.objective.terms;
@@ -95,8 +95,8 @@ Json search_json(const OptimizeResult& result, PluginRegistry& plugins) {
   return {
       {"scene", scene.name},
       {"objective", {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}},
-      {"initial", number(shown(scene, result.initial.objective))},
-      {"best", number(shown(scene, result.best.objective))},
+      {"initial", number(objective_shown(scene, result.initial.objective))},
+      {"best", number(objective_shown(scene, result.best.objective))},
       {"stop", to_string(result.stop)},
       {"algorithm", result.algorithm},
       {"evaluations", result.evaluations},
@@ -113,8 +113,8 @@ void print_search(std::ostream& out, const OptimizeResult& result,
                   PluginRegistry& plugins) {
   Scene before = result.initial_scene, after = result.scene;
   const std::string unit = objective_unit(before);
-  const double from = shown(before, result.initial.objective),
-               to = shown(before, result.best.objective);
+  const double from = objective_shown(before, result.initial.objective),
+               to = objective_shown(before, result.best.objective);
   out << before.name << "\n"
       << objective_text(before) << ": " << format_quantity(from, unit) << " before, "
       << format_quantity(to, unit) << " after";

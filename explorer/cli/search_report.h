@@ -29,6 +29,12 @@ void print_answers(std::ostream& out, const Answers& answers, Scene scene,
 /// The objective's unit, "1" where terms have several.
 [[nodiscard]] std::string objective_unit(const Scene& scene);
 
+/// What a maximised objective is, without the sign that minimising gave it.
+[[nodiscard]] double objective_shown(const Scene& scene, double objective);
+/// The SI unit of a constraint's slack.
+[[nodiscard]] std::string constraint_unit(const ConstraintEntry& entry,
+                                          const Scene& scene);
+
 /// The best so far, on a line of stderr.
 class SearchLine {
  public:

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "command.h"
+#include "consensus.h"
 #include "delos/output/format.h"
 #include "delos/scene/io.h"
 #include "delos/scene/number.h"
@@ -23,11 +24,12 @@ struct StudyCommand {
   std::string action = "show";
   std::vector<std::string> arguments;
   int round = -1;
+  std::size_t most = 10;
 };
 
 const std::vector<std::string> kActions = {
-    "show", "resume", "best", "export", "pause",  "lock",   "unlock",
-    "set",  "keep",   "drop", "forbid", "inject", "extend", "undo"};
+    "show", "resume", "best",   "export", "pause",  "lock", "unlock",   "set",
+    "keep", "drop",   "forbid", "inject", "extend", "undo", "consensus"};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -128,6 +130,13 @@ int run(StudyCommand& command) {
       const std::string problem =
           save_scene(study.scene(command.round), study.folder(), command.arguments[0]);
       if (!problem.empty()) throw Failure{kDiagnostics, problem};
+    } else if (command.action == "consensus") {
+      const StudyConsensus found =
+          study_consensus(study, plugins, command.round, command.most);
+      if (command.options.json)
+        std::cout << consensus_json(found).dump(2) << "\n";
+      else
+        print_consensus(std::cout, found);
     } else if (command.action == "export") {
       std::cout << study.dump();
     } else if (command.action == "pause") {
@@ -159,12 +168,16 @@ void add_study_command(CLI::App& program, int& exit_code) {
   app->add_option(
          "action", command->action,
          "show, resume, best, export, pause, lock, unlock, set, keep, drop, forbid, "
-         "inject, extend, undo")
+         "inject, extend, undo, consensus")
       ->check(CLI::IsMember(kActions))
       ->capture_default_str();
   app->add_option("arguments", command->arguments, "What the action is about");
   app->add_option("--round", command->round,
-                  "Round whose design `best` writes; 0: the scene as it was given");
+                  "Round whose design `best` writes, or whose designs `consensus` "
+                  "compares; 0: the scene as it was given");
+  app->add_option("--best", command->most, "Layouts that `consensus` compares")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   app->add_option("--threads", command->options.threads, "Threads; 0: one a core")
       ->check(CLI::Range(0, 4096));
   app->add_option("--plugin-dir", command->options.plugin_dirs,
@@ -189,7 +202,8 @@ void add_study_command(CLI::App& program, int& exit_code) {
       "  delos study room.study lock 'devices.ceiling*'\n"
       "  delos study room.study forbid 0,3,2 1,5,3\n"
       "  delos study room.study resume\n"
-      "  delos study room.study best best.yaml");
+      "  delos study room.study best best.yaml\n"
+      "  delos study room.study consensus         where the best layouts agree");
   app->callback([command, &exit_code] { exit_code = run(*command); });
 }
 

@@ -6,9 +6,9 @@
 namespace delos::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"field", "point",   "compare",
-                                            "check", "devices", "optimize",
-                                            "study", "demo"};
+const std::vector<std::string> kCommands = {
+    "field",    "point", "compare",  "check",  "devices",
+    "optimize", "study", "tradeoff", "report", "demo"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "delos/output/format.h"
+#include "delos/output/ticks.h"
 #include "output/canvas.h"
 #include "output/shading.h"
 #include "output/slice.h"
-#include "delos/output/ticks.h"
 
 namespace delos {
 

@@ -1,0 +1,82 @@
+#include "report/words.h"
+
+#include <variant>
+
+#include "delos/model/metric.h"
+#include "delos/output/format.h"
+
+namespace delos::report {
+namespace {
+
+std::string are(const std::vector<std::string>& devices) {
+  return listed(devices) + (devices.size() == 1 ? " is " : " are ");
+}
+
+std::string metres(double value) { return format_quantity(value, "m"); }
+
+struct Words {
+  const Scene& scene;
+
+  std::string operator()(const KeepInside& k) const {
+    std::string text =
+        are(k.devices) + (k.outside ? "outside of " : "within ") + k.region;
+    if (k.margin != 0) text += ", with " + metres(k.margin) + " to spare";
+    return text;
+  }
+  std::string operator()(const KeepApart& k) const {
+    return "any two of " + are(k.devices) + "at least " + metres(k.distance) + " apart";
+  }
+  std::string operator()(const KeepTilt& k) const {
+    return are(k.devices) + "at most " + format_quantity(k.angle, "rad") +
+           " away from the direction " + place_words(k.from);
+  }
+  std::string operator()(const KeepClear& k) const {
+    return are(k.devices) + "at least " + metres(k.distance) +
+           " from the line between " + place_words(k.from) + " and " +
+           place_words(k.to);
+  }
+  std::string operator()(const KeepSum& k) const {
+    std::string text;
+    std::size_t shown = 0;
+    for (const auto& [path, factor] : k.factors) {
+      if (++shown > 4) break;
+      text += (text.empty() ? "" : " + ") + format_quantity(factor, "1") + " · " + path;
+    }
+    if (shown > 4) text += " + …";
+    return text + " is at most " + format_quantity(k.limit, "1");
+  }
+  std::string operator()(const KeepMetric& k) const {
+    const auto metric = std::get<Metric>(parse_metric(k.metric, scene.motion.layout));
+    return metric.name + " is at " + (metric.larger_is_better ? "least " : "most ") +
+           format_quantity(k.limit, metric.unit) + " at every sample" +
+           (k.in.empty() ? "" : " of " + k.in);
+  }
+};
+
+}  // namespace
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  const std::size_t shown = names.size() > kShown ? kShown - 1 : names.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool last = i + 1 == names.size();
+    text += (i == 0 ? "" : last ? " and " : ", ") + names[i];
+  }
+  if (shown < names.size())
+    text += " and " + std::to_string(names.size() - shown) + " more";
+  return text;
+}
+
+std::string constraint_words(const ConstraintEntry& entry, const Scene& scene) {
+  return std::visit(Words{scene}, entry.what);
+}
+
+std::string place_words(const Eigen::Vector3d& p) {
+  std::string text;
+  for (int i = 0; i < 3; ++i)
+    text += (i == 0 ? "(" : ", ") + format_quantity(p[i], "1");
+  return text + ")";
+}
+
+}  // namespace delos::report
