@@ -6,5 +6,5 @@ packages_to_build=(
   libcgal-dev libnlopt-dev libsqlite3-dev
 )
 packages_to_check=(
-  libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev
+  libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev libglpk-dev
 )

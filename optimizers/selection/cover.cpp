@@ -19,10 +19,11 @@ namespace delos {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Walks of a search, whatever the number of threads; list entries that each task of a
-/// round reads; those of the largest core that is enumerated, since nodes copy it.
+/// Walks of a search, whatever the number of threads; list entries that each task of
+/// the first round reads, doubled from round to round, and of a late one; those of the
+/// largest core that is enumerated, since nodes copy it.
 constexpr int kWalks = 2;
-constexpr std::int64_t kRoundWork = 20'000'000;
+constexpr std::int64_t kFirstWork = 100'000, kMostWork = 20'000'000;
 constexpr std::size_t kTreeEntries = 20'000'000;
 
 /// Do all tasks, several at once.
@@ -83,8 +84,9 @@ class Rounds {
     std::vector<std::function<void()>> tasks;
     tasks.push_back([&] { raise_bound(limit); });
     for (CoverSearch& walk : walks_)
-      tasks.push_back([&] { walk.run(kRoundWork, limit, enough); });
+      tasks.push_back([&] { walk.run(work_, limit, enough); });
     run_all(tasks, threads);
+    work_ = std::min(2 * work_, kMostWork);
     merge();
   }
 
@@ -107,13 +109,12 @@ class Rounds {
   /// Steps of the Lagrangian until it settles, then enumeration.
   void raise_bound(double limit) {
     const auto entries = static_cast<std::int64_t>(core_.seen.items.size());
-    for (std::int64_t work = 0; work < kRoundWork && !dual_.settled();
-         work += 2 * entries)
+    for (std::int64_t work = 0; work < work_ && !dual_.settled(); work += 2 * entries)
       dual_.step(limit);
     if (!dual_.settled() || core_.seen.items.size() > kTreeEntries) return;
     if (!tree_)
       tree_ = std::make_unique<CoverTree>(core_, bound_, dual_.multipliers(), whole_);
-    tree_->run(kRoundWork, limit + core_.chosen_cost);
+    tree_->run(work_, limit + core_.chosen_cost);
   }
 
   void offer(double cost, std::vector<int> chosen) {
@@ -150,6 +151,7 @@ class Rounds {
   std::vector<CoverSearch> walks_;
   Lagrangian dual_;
   std::unique_ptr<CoverTree> tree_;
+  std::int64_t work_ = kFirstWork;
   double cost_ = kInfinity, bound_ = 0;
   std::vector<int> chosen_;
 };
