@@ -203,6 +203,28 @@ TEST(Search, ImprovesTheCameraRoom) {
     EXPECT_TRUE(c.satisfied) << c.name;
 }
 
+// Seeds differ in how many of the samples that are blind at first they come to see.
+TEST(Search, ImprovesTheUwbHall) {
+  const OptimizeResult found = search(load("15-uwb-anchors"));
+  EXPECT_NEAR(found.initial.objective, 0.640, 5e-4);
+  EXPECT_LT(found.best.objective, 0.75 * found.initial.objective);
+  EXPECT_TRUE(found.best.feasible());
+  EXPECT_EQ(found.algorithm, "slsqp");
+}
+
+// Beacons come into view and go at once: methods without slopes move a HiBall's axes.
+TEST(Search, ImprovesTheAxesOfAHiBall) {
+  OptimizeOptions options;
+  options.starts = 1;
+  options.evaluations = 60;
+  options.samples = 20;
+  const OptimizeResult found = search(load("hiball/custom-lepd"), options);
+  EXPECT_NEAR(found.initial.objective, 0.582e-3, 5e-7);
+  EXPECT_LT(found.best.objective, 0.8 * found.initial.objective);
+  EXPECT_EQ(found.algorithm, "bobyqa");
+  EXPECT_EQ(found.gradient_evaluations, 0u);
+}
+
 // Same seed, same bytes, for any number of threads.
 TEST(Search, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = load("10-better-speakers");

@@ -56,7 +56,7 @@ TEST(KnownOptima, TwoRangesCrossAtARightAngle) {
 // alike.
 TEST(KnownOptima, ThreeRangesAreEvenlySpread) {
   const OptimizeResult found = search(parse(planar({0, 25, 40}, kSpeaker)));
-  EXPECT_LT(unevenness(found.scene, 3), 3e-3);
+  EXPECT_LT(unevenness(found.scene, 3), 1e-3);
   std::vector<double> angles;
   for (int i = 1; i < 3; ++i) {
     const double yaw =

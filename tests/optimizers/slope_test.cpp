@@ -112,6 +112,10 @@ INSTANTIATE_TEST_SUITE_P(
              40},
         // Rates change more than a device: differences of fields.
         Case{"03-hybrid", "[{path: devices.s*.rate, lower: 10, upper: 100}]"},
+        // Anchors on walls, in sight of both wings or not.
+        Case{"15-uwb-anchors",
+             "[{path: devices.*.coordinates}, {path: devices.east.params.sigma}]",
+             "{minimize: p_norm, p: 4}"},
         // Limits on places, numbers and metrics.
         Case{"10-better-speakers",
              kSpeakers,

@@ -74,6 +74,17 @@ TEST(Override, AddsAbsentKeys) {
             Eigen::Vector3d(0, 4, 0));
 }
 
+TEST(Override, PlusIsOneMoreMemberOfAList) {
+  const Scene scene = changed(
+      "devices.+", "{name: s9, type: probe, rate: 50, at: [1, 2, 3], params: {r: 1}}");
+  ASSERT_EQ(scene.devices.size(), load(kGood).scene->devices.size() + 1);
+  EXPECT_EQ(scene.devices.back().name, "s9");
+  // Of a list that isn't given yet, too.
+  EXPECT_EQ(
+      changed("constraints.+", "{spacing: 0.1, devices: [s1, s2]}").constraints.size(),
+      1u);
+}
+
 TEST(Override, PrefersNamesToIndices) {
   // The device that is called 1 is the first one.
   const std::string text = good_with("name: s1", "name: 1");
