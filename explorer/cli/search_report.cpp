@@ -1,7 +1,5 @@
 #include "search_report.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -181,31 +179,19 @@ void print_answers(std::ostream& out, const Answers& answers, Scene scene,
 }
 
 SearchLine::SearchLine(const Scene& scene)
-    : label_(scene.name + ": " + objective_text(scene)),
-      unit_(objective_unit(scene)),
-      start_(Clock::now()),
-      shown_(start_),
-      terminal_(isatty(STDERR_FILENO) == 1) {}
+    : line_(scene.name),
+      objective_(objective_text(scene)),
+      unit_(objective_unit(scene)) {}
 
 void SearchLine::update(const SearchProgress& at) {
-  const auto now = Clock::now();
-  const auto pause = terminal_ ? Clock::duration(std::chrono::milliseconds(200))
-                               : Clock::duration(std::chrono::seconds(5));
-  if (now - start_ < std::chrono::seconds(1) || (drawn_ && now - shown_ < pause))
-    return;
-  drawn_ = true;
-  shown_ = now;
   const std::string best = std::isfinite(at.best)
                                ? format_quantity(std::abs(at.best), unit_)
                                : std::string("none yet");
-  std::cerr << (terminal_ ? "\r\033[K" : "") << label_ << " " << best << " after "
-            << at.evaluations << " of " << at.of << " evaluations"
-            << (terminal_ ? "" : "\n") << std::flush;
+  line_.update(objective_ + ' ' + best + " after " + std::to_string(at.evaluations) +
+               " of " + std::to_string(at.of) + " evaluations");
 }
 
-void SearchLine::clear() {
-  if (drawn_ && terminal_) std::cerr << "\r\033[K";
-}
+void SearchLine::clear() { line_.clear(); }
 
 int finish_search(const std::function<OptimizeResult()>& search, SearchLine& line,
                   const std::filesystem::path& about,

@@ -1,7 +1,6 @@
 // What a search found, for people and for scripts.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <iosfwd>
 
@@ -9,6 +8,7 @@
 #include "delos/optimize/answers.h"
 #include "delos/optimize/optimize.h"
 #include "json.h"
+#include "status_line.h"
 
 namespace delos::cli {
 
@@ -43,10 +43,8 @@ class SearchLine {
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  std::string label_, unit_;
-  Clock::time_point start_, shown_;
-  bool terminal_, drawn_ = false;
+  StatusLine line_;
+  std::string objective_, unit_;
 };
 
 /// Run a search and tell of it on stdout.
