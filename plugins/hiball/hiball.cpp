@@ -1,15 +1,6 @@
 // A HiBall: photodiodes that look through each other's lenses at LEDs.
 //
-// Lens j stands at (f/2) n_j and photodiode i at −(f/2) n_i, facing along its axis n_i.
-// View (i, j) is photodiode i through lens j. Light of an LED at p goes straight
-// through the lens's centre c and falls on the photodiode's plane at
-//
-//   q = c + t (c − p),   t = −(c + (f/2) n_i)·n_i / ((c − p)·n_i)
-//
-// which the photodiode reads in half-widths w = f tan(field/2) along its axes e_u, e_v:
-//
-//   u = (q + (f/2) n_i)·e_u / w,   v = (q + (f/2) n_i)·e_v / w,   seen for |u|, |v| ≤ 1
-//   ∂q/∂p = −t I + (c − p) (∂t/∂p)ᵀ,   ∂t/∂p = t n_i / ((c − p)·n_i)
+// view.h has their geometry.
 //
 // Sources: Welch et al. (2001), High-performance wide-area optical tracking: the HiBall
 // tracking system, Presence 10(1); Allen (2007), Comparing the expected performance of
@@ -18,7 +9,6 @@
 #include <delos/plugin.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -26,6 +16,7 @@
 #include <vector>
 
 #include "photodiode.h"
+#include "view.h"
 
 namespace {
 
@@ -61,19 +52,6 @@ std::vector<Vector3d> axes_of(const delos::ParamValues& p) {
   }
   return axes;
 }
-
-double angle(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-/// A photodiode behind a lens.
-struct View {
-  int diode, lens;
-  Vector3d n;       // the photodiode's axis
-  Vector3d lens_p;  // c
-  Vector3d e_u, e_v;
-  delos::ViewCone cone;
-};
 
 class HiBall final : public delos::Device {
  public:
@@ -207,9 +185,13 @@ class HiBall final : public delos::Device {
     const std::string& rule = p.choice("views");
     for (std::size_t i = 0; i < axes.size(); ++i) {
       for (std::size_t j = 0; j < axes.size(); ++j) {
-        const bool nearby = angle(axes[i], axes[j]) <= p["adjacent_angle"];
+        const bool nearby = hiball::angle(axes[i], axes[j]) <= p["adjacent_angle"];
         if (i == j || rule == "all_pairs" || (rule == "adjacent" && nearby)) {
-          add_view(axes, static_cast<int>(i), static_cast<int>(j));
+          const auto view = hiball::view_of({axes[i], axes[j], focal_, half_width_});
+          if (!view) continue;
+          views_.push_back(*view);
+          names_.push_back("photodiode " + std::to_string(i) + " through lens " +
+                           std::to_string(j));
         }
       }
     }
@@ -222,9 +204,7 @@ class HiBall final : public delos::Device {
   }
 
   [[nodiscard]] std::string view_name(int view) const override {
-    const View& v = views_[static_cast<std::size_t>(view)];
-    return "photodiode " + std::to_string(v.diode) + " through lens " +
-           std::to_string(v.lens);
+    return names_[static_cast<std::size_t>(view)];
   }
 
   bool observe(const delos::Target& target, delos::Observation& out) const override {
@@ -236,24 +216,19 @@ class HiBall final : public delos::Device {
 
   bool observe_view(int view, const delos::Target& target,
                     delos::Observation& out) const override {
-    const View& w = views_[static_cast<std::size_t>(view)];
+    const hiball::View& w = views_[static_cast<std::size_t>(view)];
     const Vector3d way = w.lens_p - target.p_ST;  // c − p, from the LED to the lens
-    const double depth = -way.dot(w.n);
-    if (!(depth > 0)) return false;
-    const double t = (w.lens_p.dot(w.n) + focal_ / 2) / depth;
-    const Vector3d from_center = w.lens_p + t * way + focal_ / 2 * w.n;
-    const double u = from_center.dot(w.e_u) / half_width_;
-    const double v = from_center.dot(w.e_v) / half_width_;
-    if (!(std::abs(u) <= 1 && std::abs(v) <= 1)) return false;
-
+    const hiball::Spot spot = hiball::project(w, way.x(), way.y(), way.z());
+    if (!spot.seen) return false;
     const bool all_around = target.n_ST.isZero(0);
     if (!all_around && !(target.n_ST.dot(way) > 0)) return false;
     out.z.resize(2);
-    out.z << u, v;
+    out.z << spot.u, spot.v;
     out.H.resize(2, 3);
-    // −t e + (way·e) ∂t/∂p with ∂t/∂p = −t n/depth
-    out.H.row(0) = -t / half_width_ * (w.e_u + way.dot(w.e_u) / depth * w.n);
-    out.H.row(1) = -t / half_width_ * (w.e_v + way.dot(w.e_v) / depth * w.n);
+    for (int i = 0; i < 3; ++i) {
+      out.H(0, i) = spot.scale * (w.e_u(i) + spot.lean_u * w.n(i));
+      out.H(1, i) = spot.scale * (w.e_v(i) + spot.lean_v * w.n(i));
+    }
     out.R.setZero(2, 2);
     if (constant_) {
       out.R.diagonal().setConstant(r_);
@@ -261,8 +236,41 @@ class HiBall final : public delos::Device {
     }
     const double distance = way.norm();
     const double cosine = all_around ? 1.0 : target.n_ST.dot(way) / distance;
-    out.R(0, 0) = variance(u, cosine, distance);
-    out.R(1, 1) = variance(v, cosine, distance);
+    out.R(0, 0) = variance(spot.u, cosine, distance);
+    out.R(1, 1) = variance(spot.v, cosine, distance);
+    return true;
+  }
+
+  bool observe_view_lanes(int view, const delos::BeaconLanes& beacons,
+                          delos::RowLanes& out) const override {
+    const hiball::View w = views_[static_cast<std::size_t>(view)];
+    const auto &p = beacons.p, &n = beacons.n;
+    double u[delos::kLanes], v[delos::kLanes];
+    out.rows = 2;
+    for (int l = 0; l < beacons.count; ++l) {
+      const double x = w.lens_p.x() - p[0][l], y = w.lens_p.y() - p[1][l],
+                   z = w.lens_p.z() - p[2][l];
+      const hiball::Spot spot = hiball::project(w, x, y, z);
+      const double facing = n[0][l] * x + n[1][l] * y + n[2][l] * z;
+      const bool all_around = (n[0][l] == 0) & (n[1][l] == 0) & (n[2][l] == 0);
+      out.seen[l] = (spot.seen & (all_around | (facing > 0))) ? 1.0 : 0.0;
+      for (int i = 0; i < 3; ++i) {
+        out.H[0][i][l] = spot.scale * (w.e_u(i) + spot.lean_u * w.n(i));
+        out.H[1][i][l] = spot.scale * (w.e_v(i) + spot.lean_v * w.n(i));
+      }
+      u[l] = spot.u, v[l] = spot.v;
+      out.variance[0][l] = out.variance[1][l] = r_;
+    }
+    if (constant_) return true;
+    for (int l = 0; l < beacons.count; ++l) {
+      if (out.seen[l] == 0) continue;
+      const Vector3d way = w.lens_p - Vector3d(p[0][l], p[1][l], p[2][l]);
+      const Vector3d normal(n[0][l], n[1][l], n[2][l]);
+      const double distance = way.norm();
+      const double cosine = normal.isZero(0) ? 1.0 : normal.dot(way) / distance;
+      out.variance[0][l] = variance(u[l], cosine, distance);
+      out.variance[1][l] = variance(v[l], cosine, distance);
+    }
     return true;
   }
 
@@ -270,37 +278,12 @@ class HiBall final : public delos::Device {
   static void check_apart(const std::vector<Vector3d>& axes) {
     for (std::size_t j = 0; j < axes.size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) {
-        if (angle(axes[i], axes[j]) > 1e-6) continue;
+        if (hiball::angle(axes[i], axes[j]) > 1e-6) continue;
         throw std::invalid_argument(
             "axes " + std::to_string(i) + " and " + std::to_string(j) +
             " are the same; two lenses can't stand in one place");
       }
     }
-  }
-
-  void add_view(const std::vector<Vector3d>& axes, int diode, int lens) {
-    View w;
-    w.diode = diode;
-    w.lens = lens;
-    w.n = axes[static_cast<std::size_t>(diode)];
-    w.lens_p = focal_ / 2 * axes[static_cast<std::size_t>(lens)];
-    // Horizontal where that is a direction.
-    const Vector3d level = Vector3d::UnitZ().cross(w.n);
-    w.e_u = level.norm() > 1e-9 ? level.normalized() : Vector3d::UnitX();
-    w.e_v = w.n.cross(w.e_u);
-    // Opposite axes put the lens on the photodiode: nothing is seen through it.
-    const Vector3d chord = w.lens_p + focal_ / 2 * w.n;
-    if (chord.norm() < 1e-6 * focal_) return;
-    w.cone.apex = w.lens_p;
-    w.cone.axis = chord.normalized();
-    w.cone.half_angle = 0;
-    for (const double u : {-half_width_, half_width_}) {
-      for (const double v : {-half_width_, half_width_}) {
-        const Vector3d corner = chord - u * w.e_u - v * w.e_v;
-        w.cone.half_angle = std::max(w.cone.half_angle, angle(corner, chord) + 1e-9);
-      }
-    }
-    views_.push_back(w);
   }
 
   [[nodiscard]] double variance(double x, double cosine, double distance) const {
@@ -316,7 +299,8 @@ class HiBall final : public delos::Device {
   hiball::Sum sum_;
   hiball::Photodiode diode_;
   double gain_;
-  std::vector<View> views_;
+  std::vector<hiball::View> views_;
+  std::vector<std::string> names_;
 };
 
 }  // namespace

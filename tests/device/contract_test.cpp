@@ -293,6 +293,55 @@ TEST_P(DeviceContract, LanesAgreeWithSinglePoints) {
   }
 }
 
+// The same of beacons through each view.
+TEST_P(DeviceContract, LanesOfViewsAgreeWithSingleBeacons) {
+  const std::vector<Seen> targets = cloud(*device_, 4000);
+  const auto views = static_cast<std::size_t>(device_->views());
+  const double nan = std::nan("");
+  int seen = 0;
+  for (std::size_t view = 0; view < views; ++view) {
+    BeaconLanes beacons;
+    for (int i = 0; i < 3; ++i) {
+      std::fill_n(beacons.p[i], kLanes, nan);
+      std::fill_n(beacons.n[i], kLanes, nan);
+    }
+    // As many as a view may have, and every third of those all around.
+    beacons.count = static_cast<int>(std::min<std::size_t>(50, 4000 / views));
+    const auto target = [&](int l) {
+      Target t = targets[view + static_cast<std::size_t>(l) * views].target;
+      if (l % 3 == 0) t.n_ST.setZero();
+      return t;
+    };
+    for (int l = 0; l < beacons.count; ++l) {
+      for (int i = 0; i < 3; ++i) {
+        beacons.p[i][l] = target(l).p_ST(i);
+        beacons.n[i][l] = target(l).n_ST(i);
+      }
+    }
+    RowLanes rows;
+    const auto number = static_cast<int>(view);
+    if (!device_->observe_view_lanes(number, beacons, rows)) return;
+    ASSERT_EQ(device_->span(), Span::point);
+    ASSERT_GE(rows.rows, 1);
+    ASSERT_LE(rows.rows, kMaxLaneRows);
+    for (int l = 0; l < beacons.count; ++l) {
+      Observation one;
+      ASSERT_EQ(device_->observe_view(number, target(l), one), rows.seen[l] != 0);
+      if (rows.seen[l] == 0) continue;
+      ++seen;
+      ASSERT_EQ(one.z.size(), rows.rows);
+      EXPECT_TRUE(one.R.isDiagonal(0));
+      for (int r = 0; r < rows.rows; ++r) {
+        EXPECT_NEAR(rows.variance[r][l], one.R(r, r), 1e-14 * one.R(r, r));
+        for (int i = 0; i < 3; ++i) {
+          EXPECT_NEAR(rows.H[r][i][l], one.H(r, i), 1e-14 * one.H.row(r).norm());
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 50);
+}
+
 // In view, what goes on smoothly is what is observed; the margin says which that is.
 TEST_P(DeviceContract, SmoothRowsAgreeWithSinglePoints) {
   SmoothRows rows;

@@ -68,9 +68,54 @@ TEST(BeaconIndex, FindsWhatALoopOverAllFinds) {
   }
 }
 
+// All of the cones that come of moving one's apex by up to so many metres: a beacon in
+// one of them must be found near the first. Nobody is found whom the criterion of the
+// search, s cos θ − a sin θ ≤ metres at depth a and s beside the axis, rules out.
+TEST(BeaconIndex, FindsNearWhatMovedConesHold) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const std::vector<Beacon> beacons = cloud(3000, 1);
+  const BeaconIndex index(beacons);
+  EXPECT_GT(index.patch(), 0);
+  std::size_t moved_in = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    ViewCone cone;
+    cone.apex = random_vector(random, 4);
+    cone.axis = random_vector(random, 1).normalized();
+    cone.half_angle = 1.4 * uniform(random);
+    if (trial % 3 == 0) cone.range = 3 * uniform(random);
+    const double metres = 0.5 * uniform(random);
+    std::vector<std::uint32_t> near;
+    index.find_near(cone, metres, near);
+    EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+    const std::set<std::uint32_t> found(near.begin(), near.end());
+    EXPECT_EQ(found.size(), near.size());
+    for (const std::uint32_t i : near) {
+      const Vector3d way = index[i].p - cone.apex;
+      const double a = cone.axis.dot(way), s = cone.axis.cross(way).norm();
+      EXPECT_LE(s * std::cos(cone.half_angle) - a * std::sin(cone.half_angle),
+                metres + 1e-3 * (1 + way.norm()));
+      EXPECT_LE(way.norm(), cone.range + metres + 1e-3);
+    }
+    for (int move = 0; move < 20; ++move) {
+      ViewCone moved = cone;
+      moved.apex += metres * random_vector(random, 1).normalized();
+      std::vector<std::uint32_t> held;
+      index.find(moved, held);
+      for (const std::uint32_t i : held) {
+        EXPECT_TRUE(found.contains(i));
+        const Vector3d way = index[i].p - cone.apex;
+        moved_in += std::acos(cone.axis.dot(way) / way.norm()) > cone.half_angle;
+      }
+    }
+  }
+  EXPECT_GT(moved_in, 1000u);
+}
+
 TEST(BeaconIndex, OfNoBeaconsFindsNone) {
   std::vector<std::uint32_t> found;
   BeaconIndex({}).find({}, found);
+  BeaconIndex({}).find_near({.half_angle = 0.1}, 1, found);
   EXPECT_TRUE(found.empty());
 }
 
@@ -78,7 +123,7 @@ TEST(BeaconIndex, OfNoBeaconsFindsNone) {
 
 /// Two cones that look along z and x, 40° wide and 4 m long, each of which reads a
 /// beacon's two image coordinates; R grows with distance.
-class TestViews final : public Device {
+class TestViews : public Device {
  public:
   int views() const override { return 2; }
   ViewCone view_cone(int view) const override {
@@ -110,6 +155,32 @@ class TestViews final : public Device {
   static Eigen::Matrix3d turn(int view) {
     return view == 0 ? Eigen::Matrix3d::Identity()
                      : Eigen::Matrix3d(Eigen::AngleAxisd(-M_PI / 2, Vector3d::UnitY()));
+  }
+};
+
+/// The same with independent noise and the entry for many beacons.
+class TestLaneViews final : public TestViews {
+ public:
+  bool observe_view(int view, const Target& target, Observation& out) const override {
+    if (!TestViews::observe_view(view, target, out)) return false;
+    out.R = Eigen::Matrix2d(out.R.diagonal().asDiagonal());
+    return true;
+  }
+  bool observe_view_lanes(int view, const BeaconLanes& beacons,
+                          RowLanes& out) const override {
+    Target target;
+    Observation one;
+    out.rows = 2;
+    for (int l = 0; l < beacons.count; ++l) {
+      for (int i = 0; i < 3; ++i) target.p_ST(i) = beacons.p[i][l];
+      out.seen[l] = observe_view(view, target, one);
+      if (out.seen[l] == 0) continue;
+      for (int r = 0; r < 2; ++r) {
+        for (int i = 0; i < 3; ++i) out.H[r][i][l] = one.H(r, i);
+        out.variance[r][l] = one.R(r, r);
+      }
+    }
+    return true;
   }
 };
 
@@ -248,6 +319,92 @@ TEST(Beacons, LayersAreTheSumOfTheRows) {
         }
       }
       EXPECT_EQ((block.seen[0] >> (p % kLanes) & 1) != 0, rows.rows.rows() > 0);
+    }
+  }
+}
+
+/// Rows of poses a few centimetres apart, as fields have them, a few strewn ones, and
+/// rows in another orientation.
+std::vector<TargetPose> near_poses() {
+  std::mt19937_64 random(13);
+  std::vector<TargetPose> poses;
+  for (int row = 0; row < 6; ++row) {
+    const Eigen::Matrix3d R = testing::random_rotation(random);
+    const Vector3d start = random_vector(random, 1.5),
+                   step = random_vector(random, 0.1);
+    for (int i = 0; i < 40; ++i) {
+      poses.push_back({R, start + (i % 20) * step});
+      if (i % 17 == 0) poses.push_back({R, random_vector(random, 2)});
+    }
+  }
+  return poses;
+}
+
+/// Carried devices without and with an entry for many beacons.
+std::vector<System> carried_systems(PoseState pose, const std::vector<Beacon>& beacons,
+                                    SightingRule rule, int count) {
+  std::vector<System> systems(2, carried_system(pose, beacons, rule, count));
+  systems[1].devices[0].device = std::make_shared<TestLaneViews>();
+  return systems;
+}
+
+// Beacons are looked for once for poses near each other. What a pose sees must not
+// depend on that, to the last bit.
+TEST(Beacons, InABlockAreThoseOfEachPoseAlone) {
+  const std::vector<TargetPose> poses = near_poses();
+  for (const System& system :
+       carried_systems(PoseState::pose, cloud(3000, 14), SightingRule::mean, 4)) {
+    const InformationLayers layers(system, poses, {.threads = 1});
+    std::size_t seen = 0;
+    LayerBlock a, b;
+    for (std::size_t p = 0; p < poses.size(); ++p) {
+      const InformationLayers alone(system, {poses[p]}, {.threads = 1});
+      const LayerBlock& block = layers.block(p / kLanes, a);
+      const LayerBlock& one = alone.block(0, b);
+      for (std::size_t e = 0; e < one.total.size() / kLanes; ++e) {
+        ASSERT_EQ(block.total[e * kLanes + p % kLanes], one.total[e * kLanes]);
+      }
+      ASSERT_EQ(block.seen[0] >> p % kLanes & 1, one.seen[0]);
+      seen += one.seen[0];
+    }
+    EXPECT_GT(seen, 100u);
+  }
+}
+
+// S = Σ w (H R_SW)ᵀ R⁻¹ H R_SW over every beacon that each view sees, by a loop over
+// all.
+TEST(Beacons, InABlockInformAsALoopOverAllBeaconsAndViewsSays) {
+  const std::vector<Beacon> beacons = cloud(3000, 15);
+  const std::vector<TargetPose> poses = near_poses();
+  for (const System& system :
+       carried_systems(PoseState::position, beacons, SightingRule::all, 1)) {
+    const PlacedDevice& placed = system.devices[0];
+    const InformationLayers layers(system, poses, {.threads = 1});
+    LayerBlock scratch;
+    for (std::size_t p = 0; p < poses.size(); ++p) {
+      const Pose X_WS = poses[p] * placed.X_TS;
+      Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+      for (int view = 0; view < 2; ++view) {
+        const Vector3d apex = X_WS * TestViews::apex(view);
+        for (const Beacon& b : beacons) {
+          Target target;
+          target.p_ST = X_WS.inverse() * b.p;
+          Observation out;
+          if (!placed.device->observe_view(view, target, out)) continue;
+          const Vector3d way = apex - b.p;
+          if (way.norm() > b.range || b.normal.dot(way) < 0.2 * way.norm()) continue;
+          const Eigen::Matrix<double, 2, 3> H = out.H * X_WS.R.transpose();
+          S += b.weight * H.transpose() * Eigen::Matrix2d(out.R).inverse() * H;
+        }
+      }
+      const LayerBlock& block = layers.block(p / kLanes, scratch);
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j <= i; ++j) {
+          const auto e =
+              static_cast<std::size_t>(packed_index(i, j)) * kLanes + p % kLanes;
+          ASSERT_NEAR(block.layers[e], S(i, j), 1e-11 * (1 + S.norm()));
+        }
+      }
     }
   }
 }

@@ -103,6 +103,27 @@ TEST(HiBall, AgreesWithTheOracleAtEveryPose) {
   EXPECT_EQ(rows, 49);
 }
 
+// LEDs are looked for once for samples near each other, here 3 cm; the field's numbers
+// must be those of each sample alone.
+TEST(HiBall, AFieldIsThatOfItsPointsBitForBit) {
+  const std::string turns = "orientations: {rpy: [[0, 0, 0], [20 deg, 10 deg, 0]]}";
+  const Field field = field_of(
+      "hiball/six-lepd", {{"sample",
+                           "{plane: {origin: [3, 8, 1.9], u: [1.5, 0, 0], v: [0, 1, "
+                           "0], counts: [51, 5]}, " +
+                               turns + "}"}});
+  ASSERT_EQ(field.value.size(), 255u);
+  for (std::size_t i = 0; i < field.value.size(); i += 7) {
+    const Eigen::Vector3d& p = field.samples.points[i];
+    std::ostringstream point;
+    point.precision(17);
+    point << "{points: [[" << p.x() << ", " << p.y() << ", " << p.z() << "]], ";
+    const Field alone =
+        field_of("hiball/six-lepd", {{"sample", point.str() + turns + "}"}});
+    EXPECT_EQ(field.value[i], alone.value.at(0));
+  }
+}
+
 // ---- the pose and the beacons ----
 
 /// Poses near head height under the ceiling, turned by up to some 40°.

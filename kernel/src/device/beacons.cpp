@@ -10,6 +10,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "device/cone_test.h"
+
 namespace delos {
 namespace {
 
@@ -28,13 +30,15 @@ using Words = std::int32_t __attribute__((vector_size(16)));
 /// most of the cost, and with margins that keep every ball that might meet.
 struct NarrowCone {
   /// @param extent greatest coordinate of the beacons, metres
-  NarrowCone(const ViewCone& cone, double extent)
+  /// @param near balls so far from the cone count as meeting it, metres
+  NarrowCone(const ViewCone& cone, double extent, double near)
       : apex(cone.apex.cast<float>()),
         axis(cone.axis.cast<float>()),
         sine(static_cast<float>(std::sin(cone.half_angle))),
         square_cosine(static_cast<float>(std::pow(std::cos(cone.half_angle), 2))),
         range(static_cast<float>(std::min(cone.range, 1e15))),
-        margin(static_cast<float>(1e-6 * (extent + cone.apex.cwiseAbs().maxCoeff()))) {}
+        margin(static_cast<float>(
+            near + 1e-6 * (near + extent + cone.apex.cwiseAbs().maxCoeff()))) {}
 
   /// A bit for each ball that may meet the cone.
   [[nodiscard]] unsigned meeting(const BeaconIndex::Balls& balls) const {
@@ -69,14 +73,21 @@ struct NarrowCone {
   float sine, square_cosine, range, margin;
 };
 
-/// Whether a point is in a cone, its edge included.
-bool contains(const ViewCone& cone, double cosine, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d way = p - cone.apex;
-  const double square = way.squaredNorm();
-  if (square > cone.range * cone.range) return false;
-  const double a = way.dot(cone.axis), edge = cosine * cosine * square;
-  if (cone.half_angle < std::numbers::pi / 2) return a >= 0 && a * a >= edge;
-  return cone.half_angle >= std::numbers::pi || a >= 0 || a * a <= edge;
+/// Visit the beacons that may meet a cone, in the order of the index.
+template <class Visit>
+void descend(const std::vector<std::vector<BeaconIndex::Balls>>& levels,
+             const NarrowCone& cone, std::size_t level, std::size_t group,
+             Visit&& visit) {
+  for (unsigned bits = cone.meeting(levels[level][group]); bits != 0;
+       bits &= bits - 1) {
+    const std::size_t i =
+        group * kFan + static_cast<std::size_t>(std::countr_zero(bits));
+    if (level == 0) {
+      visit(static_cast<std::uint32_t>(i));
+    } else {
+      descend(levels, cone, level - 1, i, visit);
+    }
+  }
 }
 
 }  // namespace
@@ -149,36 +160,36 @@ void BeaconIndex::stack() {
       balls.radius[l] = static_cast<float>(radius);
       extent_ = std::max(
           {extent_, box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()});
+      if (run == kFan) patch_ += radius / static_cast<double>(count);
     }
     if (level.size() == 1) return;
   }
 }
 
 void BeaconIndex::find(const ViewCone& cone, std::vector<std::uint32_t>& found) const {
-  const double cosine = std::cos(cone.half_angle);
-  const auto test = [&](std::size_t i) {
-    if (contains(cone, cosine, beacons_[i].p)) {
+  const std::size_t first = found.size();
+  find_near(cone, 0, found);
+  const ConeTest test(cone);
+  const auto outside = [&](std::uint32_t i) {
+    const Eigen::Vector3d way = beacons_[i].p - cone.apex;
+    return !test.holds(way.dot(cone.axis), way.squaredNorm());
+  };
+  found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(first),
+                             found.end(), outside),
+              found.end());
+}
+
+void BeaconIndex::find_near(const ViewCone& cone, double metres,
+                            std::vector<std::uint32_t>& found) const {
+  if (cone.half_angle >= std::numbers::pi / 2) {
+    for (std::size_t i = 0; i < beacons_.size(); ++i) {
       found.push_back(static_cast<std::uint32_t>(i));
     }
-  };
-  if (cone.half_angle >= std::numbers::pi / 2) {
-    for (std::size_t i = 0; i < beacons_.size(); ++i) test(i);
     return;
   }
-  const NarrowCone narrow(cone, extent_);
-  const auto descend = [&](auto&& self, std::size_t level, std::size_t group) -> void {
-    for (unsigned bits = narrow.meeting(levels_[level][group]); bits != 0;
-         bits &= bits - 1) {
-      const std::size_t i =
-          group * kFan + static_cast<std::size_t>(std::countr_zero(bits));
-      if (level == 0) {
-        test(i);
-      } else {
-        self(self, level - 1, i);
-      }
-    }
-  };
-  if (!levels_.empty()) descend(descend, levels_.size() - 1, 0);
+  if (levels_.empty()) return;
+  descend(levels_, NarrowCone(cone, extent_, metres), levels_.size() - 1, 0,
+          [&](std::uint32_t i) { found.push_back(i); });
 }
 
 }  // namespace delos

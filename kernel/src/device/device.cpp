@@ -24,4 +24,8 @@ bool Device::observe_view(int, const Target& target, Observation& out) const {
   return observe(target, out);
 }
 
+bool Device::observe_view_lanes(int, const BeaconLanes&, RowLanes&) const {
+  return false;
+}
+
 }  // namespace delos

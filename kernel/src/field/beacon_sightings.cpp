@@ -1,6 +1,9 @@
 #include "field/beacon_sightings.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <span>
 
 #include "delos/model/lanes.h"
 #include "field/beacon_choice.h"
@@ -21,7 +24,8 @@ namespace {
 struct PoseRow {
   const StateLayout& layout;
   const Eigen::Matrix3d& R_WS;
-  Eigen::Vector3d arm;  ///< b − p_WT
+  const Eigen::Vector3d& p_WT;
+  const Eigen::Vector3d& b;
 
   template <class Row>
   void fill(const Row& H, SightingRow& row) const {
@@ -31,57 +35,89 @@ struct PoseRow {
       for (int i = 0; i < 3; ++i) row.h[i] = -g(i);
     }
     if (layout.pose == PoseState::position) return;
-    const Eigen::Vector3d turn = g.cross(arm);
+    const Eigen::Vector3d turn = g.cross(b - p_WT);
     for (int i = 0; i < 3; ++i) row.h[layout.positions() + i] = turn(i);
   }
 };
 
-}  // namespace
+/// What one view sees of the beacons in out.look.
+struct ViewSightings {
+  const System& system;
+  const PlacedDevice& placed;
+  const TargetPose& X_WT;
+  const Pose& X_WS;
+  bool may_hide;
+  int view;
+  BeaconSightings& out;
 
-ViewCone cone_in_world(const PlacedDevice& placed, int view, const Pose& X_WS) {
-  ViewCone cone = placed.device->view_cone(view);
-  cone.apex = X_WS * cone.apex;
-  cone.axis = X_WS.R * cone.axis;
-  return cone;
-}
-
-void see_beacons(const System& system, const PlacedDevice& placed,
-                 const TargetPose& X_WT, BeaconSightings& out) {
-  out.all.clear();
-  out.rows.clear();
-  const BeaconIndex& beacons = *placed.beacons;
-  const Pose X_WS = X_WT * placed.X_TS;
-  const bool may_hide = may_be_hidden(system, placed);
-  for (int view = 0; view < placed.device->views(); ++view) {
-    const ViewCone cone = cone_in_world(placed, view, X_WS);
-    out.in_cone.clear();
-    beacons.find(cone, out.in_cone);
-    for (const std::uint32_t b : out.in_cone) {
-      const Beacon& beacon = beacons[b];
-      if (beacon.weight == 0) continue;
-      out.target.p_ST.noalias() = X_WS.R.transpose() * (beacon.p - X_WS.p);
-      out.target.n_ST.noalias() = X_WS.R.transpose() * beacon.normal;
-      if (!placed.device->observe_view(view, out.target, out.observation)) continue;
-      if (!beacon.reaches(cone.apex)) continue;
-      if (may_hide && !in_sight(system, beacon.p, X_WT, cone.apex - X_WT.p)) continue;
-      const auto first = static_cast<std::uint32_t>(out.rows.size());
-      const PoseRow pose_row{system.motion.layout, X_WS.R, beacon.p - X_WT.p};
-      whiten(
-          out.observation.H, out.observation.R,
-          [&](const auto& H, double variance) {
-            pose_row.fill(H, out.rows.emplace_back(SightingRow{{}, variance}));
-          },
-          [&](const auto& H) {
-            pose_row.fill(H, out.rows.emplace_back(SightingRow{{}, 0}));
-          });
-      out.all.push_back({b, view, (beacon.p - cone.apex).norm(), beacon.weight, 0,
-                         first, static_cast<std::uint32_t>(out.rows.size()) - first});
+  void add() const {
+    if (placed.device->observe_view_lanes(view, out.look.lanes, out.lane_rows)) {
+      add_lanes();
+    } else {
+      add_singly();
     }
   }
-  choose(placed.select, placed.count, system.motion.layout.coordinates(), out);
-}
 
-bool add_information(const BeaconSightings& sightings, int coordinates, double* S) {
+ private:
+  /// Whether lane l's beacon shines here, and nothing is in the way.
+  [[nodiscard]] bool in_light(int l) const {
+    if (out.look.reached[l] == 0) return false;
+    if (!may_hide) return true;
+    const Eigen::Vector3d arm = X_WS * out.candidates.cone(view).apex - X_WT.p;
+    return in_sight(system, (*placed.beacons)[out.look.beacon[l]].p, X_WT, arm);
+  }
+
+  /// Append a sighting, whose rows fill_rows(pose_row) appends.
+  template <class FillRows>
+  void append(int l, FillRows&& fill_rows) const {
+    const std::uint32_t beacon = out.look.beacon[l];
+    const auto first = static_cast<std::uint32_t>(out.rows.size());
+    fill_rows(
+        PoseRow{system.motion.layout, X_WS.R, X_WT.p, (*placed.beacons)[beacon].p});
+    out.all.push_back({beacon, view, out.look.distance[l], out.look.weight[l], 0, first,
+                       static_cast<std::uint32_t>(out.rows.size()) - first});
+  }
+
+  void add_lanes() const {
+    const RowLanes& rows = out.lane_rows;
+    for (int l = 0; l < out.look.lanes.count; ++l) {
+      if (rows.seen[l] == 0 || !in_light(l)) continue;
+      append(l, [&](const PoseRow& pose_row) {
+        for (int r = 0; r < rows.rows; ++r) {
+          const double variance = rows.variance[r][l];
+          const bool noisy = variance >= std::numeric_limits<double>::min();
+          pose_row.fill(
+              Eigen::Vector3d(rows.H[r][0][l], rows.H[r][1][l], rows.H[r][2][l]),
+              out.rows.emplace_back(SightingRow{{}, noisy ? variance : 0}));
+        }
+      });
+    }
+  }
+
+  void add_singly() const {
+    const BeaconLanes& lanes = out.look.lanes;
+    for (int l = 0; l < lanes.count; ++l) {
+      out.target.p_ST = {lanes.p[0][l], lanes.p[1][l], lanes.p[2][l]};
+      out.target.n_ST = {lanes.n[0][l], lanes.n[1][l], lanes.n[2][l]};
+      if (!placed.device->observe_view(view, out.target, out.observation)) continue;
+      if (!in_light(l)) continue;
+      append(l, [&](const PoseRow& pose_row) {
+        whiten(
+            out.observation.H, out.observation.R,
+            [&](const auto& H, double variance) {
+              pose_row.fill(H, out.rows.emplace_back(SightingRow{{}, variance}));
+            },
+            [&](const auto& H) {
+              pose_row.fill(H, out.rows.emplace_back(SightingRow{{}, 0}));
+            });
+      });
+    }
+  }
+};
+
+/// add_information() with the number of coordinates known to the compiler.
+template <int coordinates>
+bool add_rows(const BeaconSightings& sightings, double* S) {
   bool perfect = false;
   for (const BeaconSighting& s : sightings.all) {
     if (s.share == 0) continue;
@@ -99,6 +135,44 @@ bool add_information(const BeaconSightings& sightings, int coordinates, double* 
     }
   }
   return perfect;
+}
+
+}  // namespace
+
+ViewCone cone_in_world(const PlacedDevice& placed, int view, const Pose& X_WS) {
+  ViewCone cone = placed.device->view_cone(view);
+  cone.apex = X_WS * cone.apex;
+  cone.axis = X_WS.R * cone.axis;
+  return cone;
+}
+
+void see_beacons(const System& system, const PlacedDevice& placed,
+                 const TargetPose& X_WT, BeaconSightings& out) {
+  out.candidates.find(placed, {&X_WT, 1});
+  see_candidates(system, placed, X_WT, out);
+}
+
+void see_candidates(const System& system, const PlacedDevice& placed,
+                    const TargetPose& X_WT, BeaconSightings& out) {
+  out.all.clear();
+  out.rows.clear();
+  const Pose X_WS = X_WT * placed.X_TS;
+  const Eigen::Vector3d origin_S = -(X_WS.R.transpose() * X_WS.p);
+  const bool may_hide = may_be_hidden(system, placed);
+  for (int view = 0; view < placed.device->views(); ++view) {
+    const ViewSightings sightings{system, placed, X_WT, X_WS, may_hide, view, out};
+    const auto all = out.candidates.in_cone(view, origin_S);
+    for (std::size_t first = 0; first < all.size(); first += kLanes) {
+      const std::size_t count = std::min<std::size_t>(kLanes, all.size() - first);
+      out.candidates.look(view, all.subspan(first, count), origin_S, out.look);
+      sightings.add();
+    }
+  }
+  choose(placed.select, placed.count, system.motion.layout.coordinates(), out);
+}
+
+bool add_information(const BeaconSightings& sightings, int coordinates, double* S) {
+  return coordinates == 3 ? add_rows<3>(sightings, S) : add_rows<6>(sightings, S);
 }
 
 }  // namespace delos

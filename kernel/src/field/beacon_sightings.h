@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "delos/field/system.h"
+#include "field/beacon_candidates.h"
 
 namespace delos {
 
@@ -30,7 +31,10 @@ struct BeaconSightings {
   std::vector<BeaconSighting> all;
   std::vector<SightingRow> rows;
 
+  BeaconCandidates candidates;
   std::vector<std::uint32_t> in_cone;
+  BeaconLook look;
+  RowLanes lane_rows;
   Target target;
   Observation observation;
 };
@@ -43,6 +47,9 @@ struct BeaconSightings {
 /// @pre placed.beacons isn't null
 void see_beacons(const System& system, const PlacedDevice& placed,
                  const TargetPose& X_WT, BeaconSightings& out);
+/// The same at one of the poses that out.candidates was made for.
+void see_candidates(const System& system, const PlacedDevice& placed,
+                    const TargetPose& X_WT, BeaconSightings& out);
 
 /// S += Σ share·hᵀh/r over the rows with noise.
 /// @param S packed as model/lanes.h says, one number an entry

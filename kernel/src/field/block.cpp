@@ -49,10 +49,12 @@ void observe_beacons(const System& system, const PlacedDevice& placed, int coord
                      std::span<const TargetPose> poses, double* layer,
                      std::uint64_t& seen, std::uint64_t& perfect) {
   BeaconSightings sightings;
+  std::size_t found = 0;  // poses that there are candidates for
   for (std::size_t lane = 0; lane < poses.size(); ++lane) {
     const std::uint64_t bit = std::uint64_t{1} << lane;
     double S[packed_index(kMaxCoordinates, 0)] = {};
-    see_beacons(system, placed, poses[lane], sightings);
+    if (lane == found) found += sightings.candidates.find(placed, poses.subspan(lane));
+    see_candidates(system, placed, poses[lane], sightings);
     if (!sightings.all.empty()) seen |= bit;
     if (add_information(sightings, coordinates, S)) perfect |= bit;
     for (int e = 0; e < packed_index(coordinates, 0); ++e) {

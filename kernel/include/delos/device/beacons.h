@@ -23,7 +23,10 @@ struct Beacon {
   /// Whether it shines towards a point in W.
   [[nodiscard]] bool reaches(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d way = point - p;
-    const double distance = way.norm();
+    return reaches(way, way.norm());
+  }
+  /// The same of the way from it to the point, and how long that is.
+  [[nodiscard]] bool reaches(const Eigen::Vector3d& way, double distance) const {
     if (distance > range) return false;
     return normal.isZero(0) || normal.dot(way) >= cos_emission * distance;
   }
@@ -45,6 +48,14 @@ class DELOS_API BeaconIndex {
   /// Append all that lie in a cone of W, its edge included, in the order of the index.
   /// @cost about that of the beacons found; of a cone of a right angle or more, of all
   void find(const ViewCone& cone, std::vector<std::uint32_t>& found) const;
+  /// Append all that lie in a cone of W or within so many metres of it, and so what the
+  /// cone holds wherever its apex moves by no more; maybe others beside it, too.
+  /// @cost as of find()
+  void find_near(const ViewCone& cone, double metres,
+                 std::vector<std::uint32_t>& found) const;
+
+  /// How large the balls around eight neighbours are in the mean: their radius, metres.
+  [[nodiscard]] double patch() const { return patch_; }
 
   /// How many balls lie in a larger one.
   static constexpr std::uint32_t kFan = 8;
@@ -64,6 +75,7 @@ class DELOS_API BeaconIndex {
   /// The beacons themselves, the balls around eight each, …, one group of balls.
   std::vector<std::vector<Balls>> levels_;
   double extent_ = 0;  // greatest coordinate, metres
+  double patch_ = 0;
 };
 
 }  // namespace delos

@@ -62,10 +62,17 @@ struct PointLanes {
   double p[3][kLanes];  ///< x, y, z, metres
 };
 
+/// Up to kLanes beacons in the frame S of a device on the target.
+struct BeaconLanes {
+  int count = 0;        ///< how many there are; the rest hold any number
+  double p[3][kLanes];  ///< x, y, z, metres
+  double n[3][kLanes];  ///< which way they face, unit vectors; zero: they face no way
+};
+
 /// Most rows that a device may report of many points at once.
 inline constexpr int kMaxLaneRows = 3;
 
-/// What a device measures of up to kLanes points: rows of independent noise.
+/// What a device measures of up to kLanes points or beacons: rows of independent noise.
 struct RowLanes {
   int rows = 0;  ///< of every point
   /// 1: the point is seen; 0: it isn't, and what stands below is never read.
@@ -155,6 +162,11 @@ class DELOS_API Device {
   /// observe() through one view; observe() itself answers for the first that sees.
   [[nodiscard]] virtual bool observe_view(int view, const Target& target,
                                           Observation& out) const;
+  /// The same for many beacons at once, as observe_lanes(). There are few as a rule, so
+  /// that loops should run to their count.
+  /// @returns false where the device has no such way, as here
+  [[nodiscard]] virtual bool observe_view_lanes(int view, const BeaconLanes& beacons,
+                                                RowLanes& out) const;
 
   /// Whether what stands between the device's origin and the point hides it. By
   /// default, devices that see points need to see them.
