@@ -74,7 +74,7 @@ TEST(PluginRegistry, DevicesOutliveIt) {
 
 TEST(BadPlugin, WrongEpoch) {
   EXPECT_EQ(error_of("wrong_epoch"),
-            "was built with another plugin contract (kAbiEpoch 4, the kernel has 3); "
+            "was built with another plugin contract (kAbiEpoch 5, the kernel has 4); "
             "rebuild it with the kernel's headers");
 }
 
