@@ -46,7 +46,7 @@ std::vector<Facing> facings_of(const Facings& facings, const DeviceEntry& patter
 }
 
 /// Where the copies stand, without their facing.
-std::vector<DeviceEntry> spots_of(const CopyCandidates& copies,
+std::vector<DeviceEntry> spots_of(const CandidateCopies& copies,
                                   const DeviceEntry& pattern) {
   std::vector<DeviceEntry> spots;
   const auto add_points = [&](const std::vector<Eigen::Vector3d>& points) {
@@ -104,7 +104,7 @@ class Writer {
   [[nodiscard]] bool is_pattern(const std::string& name) const {
     return std::any_of(from_.selection.candidates.begin(),
                        from_.selection.candidates.end(), [&](const CandidateSet& set) {
-                         const auto* copies = std::get_if<CopyCandidates>(&set.what);
+                         const auto* copies = std::get_if<CandidateCopies>(&set.what);
                          return copies && copies->of == name;
                        });
   }
@@ -121,7 +121,7 @@ class Writer {
     out_.copy_of.push_back(std::move(copy_of));
   }
 
-  void add(const DeviceCandidates& what, double cost) {
+  void add(const CandidateDevices& what, double cost) {
     for (const std::string& name : what.devices) {
       if (is_pattern(name))
         throw Refused{name + " is a pattern of copies, and no candidate itself"};
@@ -131,7 +131,7 @@ class Writer {
     }
   }
 
-  void add(const BeaconCandidates& what, double cost) {
+  void add(const CandidateBeacons& what, double cost) {
     std::size_t s = 0;
     while (from_.beacons[s].name != what.set) ++s;
     std::vector<int>& of_beacon = out_.of_beacon[s];
@@ -154,7 +154,7 @@ class Writer {
     }
   }
 
-  void add(const CopyCandidates& what, double cost) {
+  void add(const CandidateCopies& what, double cost) {
     const auto pattern =
         std::find_if(from_.devices.begin(), from_.devices.end(),
                      [&](const DeviceEntry& d) { return d.name == what.of; });

@@ -14,7 +14,7 @@ class Successors {
  public:
   Successors(const CandidateScene& all, const std::vector<bool>& stays) {
     for (const CandidateSet& set : all.scene.selection.candidates)
-      if (const auto* copies = std::get_if<CopyCandidates>(&set.what)) of_[copies->of];
+      if (const auto* copies = std::get_if<CandidateCopies>(&set.what)) of_[copies->of];
     for (std::size_t i = 0; i < all.scene.devices.size(); ++i) {
       const DeviceEntry& device = all.scene.devices[i];
       if (!stays[i]) {

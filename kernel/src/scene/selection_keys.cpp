@@ -70,7 +70,7 @@ void begin(Reader& reader, const Place& at, const char* key, Draft& out, Kind ki
 }
 
 void read_devices(Reader& reader, const Place& at, Draft& out) {
-  DeviceCandidates devices;
+  CandidateDevices devices;
   const std::vector<std::string> patterns = read_words(reader, at);
   if (!patterns.empty()) {
     auto names = expand_devices(*out.scene, patterns);
@@ -94,7 +94,7 @@ void check_name(Reader& reader, const Place& at, const std::vector<Entry>& entri
 }
 
 void read_beacon_set(Reader& reader, const Place& at, Draft& out) {
-  BeaconCandidates beacons;
+  CandidateBeacons beacons;
   if (auto name = reader.word(at)) {
     check_name(reader, at, out.scene->beacons, *name, "set of beacons");
     beacons.set = std::move(*name);
@@ -103,7 +103,7 @@ void read_beacon_set(Reader& reader, const Place& at, Draft& out) {
 }
 
 void read_copies(Reader& reader, const Place& at, Draft& out) {
-  CopyCandidates copies;
+  CandidateCopies copies;
   if (auto name = reader.word(at)) {
     check_name(reader, at, out.scene->devices, *name, "device");
     for (const DeviceEntry& device : out.scene->devices)
@@ -126,7 +126,7 @@ Kind* part_of(Reader& reader, const Place& at, Draft& out, const char* of) {
 }
 
 void read_by(Reader& reader, const Place& at, Draft& out) {
-  auto* beacons = part_of<BeaconCandidates>(reader, at, out, "beacons");
+  auto* beacons = part_of<CandidateBeacons>(reader, at, out, "beacons");
   const auto by = reader.choice(at, kGroupingWords);
   if (!beacons || !by) return;
   beacons->by = *by;
@@ -137,7 +137,7 @@ void read_by(Reader& reader, const Place& at, Draft& out) {
 }
 
 void read_spots(Reader& reader, const Place& at, Draft& out, const char* key) {
-  auto* copies = part_of<CopyCandidates>(reader, at, out, "copies_of");
+  auto* copies = part_of<CandidateCopies>(reader, at, out, "copies_of");
   if (!copies) return;
   const std::string kind = key;
   if (kind == "grid") {
@@ -156,7 +156,7 @@ void read_spots(Reader& reader, const Place& at, Draft& out, const char* key) {
 }
 
 void read_counts(Reader& reader, const Place& at, Draft& out) {
-  auto* copies = part_of<CopyCandidates>(reader, at, out, "copies_of");
+  auto* copies = part_of<CandidateCopies>(reader, at, out, "copies_of");
   auto* on = copies ? std::get_if<SurfaceSpots>(&copies->spots) : nullptr;
   if (copies && !on) reader.error(at, "is of 'surface', which isn't given");
   if (!on || !reader.expect(at, Node::Kind::list, "a list of whole numbers")) return;
@@ -176,7 +176,7 @@ void read_counts(Reader& reader, const Place& at, Draft& out) {
 
 template <auto kMember>
 void read_facings(Reader& reader, const Place& at, Draft& out) {
-  auto* copies = part_of<CopyCandidates>(reader, at, out, "copies_of");
+  auto* copies = part_of<CandidateCopies>(reader, at, out, "copies_of");
   if (!copies) return;
   auto& list = copies->facings.*kMember;
   if constexpr (std::is_same_v<decltype(list), std::vector<double>&>) {
@@ -202,14 +202,14 @@ double read_positive(Reader& reader, const Place& at) {
 
 template <class Kind>
 Written write_copies(const Draft& d, Written (*write)(const Kind&)) {
-  const auto* copies = as<CopyCandidates>(d);
+  const auto* copies = as<CandidateCopies>(d);
   const auto* kind = copies ? std::get_if<Kind>(&copies->spots) : nullptr;
   return kind ? write(*kind) : std::nullopt;
 }
 
 template <auto kMember>
 Written write_facings(const Draft& d) {
-  const auto* copies = as<CopyCandidates>(d);
+  const auto* copies = as<CandidateCopies>(d);
   if (!copies || (copies->facings.*kMember).empty()) return std::nullopt;
   const auto& list = copies->facings.*kMember;
   if constexpr (std::is_same_v<decltype(list), const std::vector<double>&>) {
@@ -226,18 +226,18 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
     {"devices", Need::optional, "devices of the scene; * is any part of a name",
      read_devices,
      [](const Draft& d) -> Written {
-       const auto* devices = as<DeviceCandidates>(d);
+       const auto* devices = as<CandidateDevices>(d);
        return devices ? Written(words_node(devices->devices)) : std::nullopt;
      }},
     {"beacons", Need::optional, "a set of beacons", read_beacon_set,
      [](const Draft& d) -> Written {
-       const auto* beacons = as<BeaconCandidates>(d);
+       const auto* beacons = as<CandidateBeacons>(d);
        return beacons ? Written(to_node(beacons->set)) : std::nullopt;
      }},
     {"by", Need::optional,
      "what is chosen of the beacons as one: beacon, row, column or panel", read_by,
      [](const Draft& d) -> Written {
-       const auto* beacons = as<BeaconCandidates>(d);
+       const auto* beacons = as<CandidateBeacons>(d);
        if (!beacons) return std::nullopt;
        for (const auto& [word, by] : kGroupingWords)
          if (by == beacons->by) return to_node(word);
@@ -247,7 +247,7 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
      "a device of which copies may stand at many spots; it is only their pattern",
      read_copies,
      [](const Draft& d) -> Written {
-       const auto* copies = as<CopyCandidates>(d);
+       const auto* copies = as<CandidateCopies>(d);
        return copies ? Written(to_node(copies->of)) : std::nullopt;
      }},
     {"grid", Need::optional, "spots on a regular grid: min, max and step, metres",
@@ -291,12 +291,12 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
     {"one_per_spot", Need::optional,
      "whether at most one of a spot's facings is chosen: yes (default) or no",
      [](Reader& r, const Place& p, Draft& d) {
-       auto* copies = part_of<CopyCandidates>(r, p, d, "copies_of");
+       auto* copies = part_of<CandidateCopies>(r, p, d, "copies_of");
        const auto one = r.choice(p, kYesOrNo);
        if (copies && one) copies->one_per_spot = *one;
      },
      [](const Draft& d) -> Written {
-       const auto* copies = as<CopyCandidates>(d);
+       const auto* copies = as<CandidateCopies>(d);
        if (!copies || copies->one_per_spot) return std::nullopt;
        return to_node("no");
      }},
@@ -312,7 +312,7 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
 void check_set(Reader& reader, const Place& at, const Draft& draft) {
   if (draft.kind.empty())
     return reader.error(at, "no candidates; give devices, beacons or copies_of");
-  const auto* copies = as<CopyCandidates>(draft);
+  const auto* copies = as<CandidateCopies>(draft);
   if (!copies) return;
   const Node& node = at.node();
   const auto given = [&](std::initializer_list<const char*> keys) {

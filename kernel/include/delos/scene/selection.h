@@ -12,9 +12,9 @@
 namespace delos {
 
 /// Devices of the scene, each a candidate by itself.
-struct DeviceCandidates {
+struct CandidateDevices {
   std::vector<std::string> devices;  ///< names
-  friend bool operator==(const DeviceCandidates&, const DeviceCandidates&) = default;
+  friend bool operator==(const CandidateDevices&, const CandidateDevices&) = default;
 };
 
 /// What is chosen of a set of beacons as one. Rows, columns and panels are of a grid,
@@ -22,10 +22,10 @@ struct DeviceCandidates {
 enum class BeaconGrouping { beacon, row, column, panel };
 
 /// The lit beacons of a set, one by one or together.
-struct BeaconCandidates {
+struct CandidateBeacons {
   std::string set;
   BeaconGrouping by = BeaconGrouping::beacon;
-  friend bool operator==(const BeaconCandidates&, const BeaconCandidates&) = default;
+  friend bool operator==(const CandidateBeacons&, const CandidateBeacons&) = default;
 };
 
 /// Evenly spread spots of a surface, both ends included: one number on a rail, else
@@ -48,17 +48,17 @@ struct Facings {
 };
 
 /// Copies of a device of the scene at spots. That device is only their pattern.
-struct CopyCandidates {
+struct CandidateCopies {
   std::string of;
   std::variant<std::vector<Eigen::Vector3d>, VolumeSampling, SurfaceSpots> spots;
   Facings facings;
   bool one_per_spot = true;  ///< at most one of a spot's facings is chosen
-  friend bool operator==(const CopyCandidates&, const CopyCandidates&) = default;
+  friend bool operator==(const CandidateCopies&, const CandidateCopies&) = default;
 };
 
 /// Some candidates, all of one cost.
 struct CandidateSet {
-  std::variant<DeviceCandidates, BeaconCandidates, CopyCandidates> what;
+  std::variant<CandidateDevices, CandidateBeacons, CandidateCopies> what;
   double cost = 1;  ///< of each, > 0
   friend bool operator==(const CandidateSet&, const CandidateSet&) = default;
 };
