@@ -27,6 +27,7 @@ CoverSearch::CoverSearch(const CoverCore& core, std::uint64_t seed)
   member_.assign(groups, -1);
   std::iota(missed_.begin(), missed_.end(), 0);
   missed_place_ = missed_;
+  for (const double cost : core.cost) per_cost_.push_back(1 / cost);
   for (int j = 0; j < core.candidates(); ++j)
     score_[j] = static_cast<std::int64_t>(core.seen[j].size());
   greedy();
@@ -126,14 +127,14 @@ void CoverSearch::take(int j) {
 double CoverSearch::value(int j) const {
   const int g = core_.group[j];
   const std::int64_t left = g >= 0 && member_[g] >= 0 ? score_[member_[g]] : 0;
-  return static_cast<double>(score_[j] - left) / core_.cost[j];
+  return static_cast<double>(score_[j] - left) * per_cost_[j];
 }
 
 int CoverSearch::least_loss() const {
   int least = selected_.front();
   double loss = kNone;
   for (const int j : selected_) {
-    const double own = static_cast<double>(score_[j]) / core_.cost[j];
+    const double own = static_cast<double>(score_[j]) * per_cost_[j];
     if (own > loss || (own == loss && moved_[j] >= moved_[least])) continue;
     least = j;
     loss = own;
@@ -216,14 +217,14 @@ CoverSearch::Exchange CoverSearch::exchange_for(int j) {
   Exchange exchange{j};
   double least = kNone;
   for (const int k : selected_) {
-    const double loss = static_cast<double>(score_[k] - spared_[k]) / core_.cost[k];
+    const double loss = static_cast<double>(score_[k] - spared_[k]) * per_cost_[k];
     spared_[k] = 0;
     const bool may_go = taken >= 0 ? k == taken : moved_[k] < moves_ - 1;
     if (!may_go || !(loss < least)) continue;
     exchange.out = k;
     least = loss;
   }
-  exchange.value = static_cast<double>(score_[j]) / core_.cost[j] - least;
+  exchange.value = static_cast<double>(score_[j]) * per_cost_[j] - least;
   return exchange;
 }
 

@@ -65,7 +65,8 @@ class CoverSearch {
   void step(double limit);
 
   const CoverCore& core_;
-  int nobody_, several_;  ///< stand for candidates in sole_
+  int nobody_, several_;          ///< stand for candidates in sole_
+  std::vector<double> per_cost_;  ///< 1/c of each candidate
   std::mt19937_64 random_;
   std::vector<int> count_;                 ///< selected seers of each sample
   std::vector<std::vector<int>> holders_;  ///< who they are

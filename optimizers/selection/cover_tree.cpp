@@ -19,7 +19,8 @@ constexpr double kRounding = 1e-9;
 
 bool reaches(double bound, double limit, bool whole) {
   const double slack = kRounding * std::max(1.0, std::abs(limit));
-  return whole ? bound > limit - 1 + 1e3 * slack : bound >= limit - slack;
+  if (whole) return bound > limit - 1 + std::min(0.5, 1e3 * slack);
+  return bound >= limit - slack;
 }
 
 CoverTree::CoverTree(const CoverCore& core, double bound,

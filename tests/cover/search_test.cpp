@@ -1,7 +1,11 @@
 // How a search runs and ends: the same for any number of threads, on time, on demand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <numeric>
+#include <random>
+#include <utility>
 
 #include "cover/instances.h"
 #include "selection/cover_search.h"
@@ -55,6 +59,43 @@ TEST(CoverSearch, EndsWhereItIsAskedTo) {
   options.stop_at.reset();
   options.seconds = 0.2;
   EXPECT_EQ(solve_cover(problem, options).stop, CoverStop::budget);
+}
+
+// 30 candidates that see 10 samples each and none twice, hidden among 3,000 that see 10
+// at random. No cover is smaller, since 300 samples want at least 300/10; a short
+// search doesn't find it. The bound is 30 and may not be rounded beyond.
+TEST(CoverSearch, BoundsAHiddenPartitionExactly) {
+  CoverProblem p;
+  p.samples = 300;
+  p.demand.assign(p.samples, 1);
+  std::mt19937_64 random(1);
+  std::vector<int> samples(p.samples);
+  std::iota(samples.begin(), samples.end(), 0);
+  for (int j = 0; j < 3100; ++j) {
+    const int first = j < 3000 ? 0 : 3 * (j - 3000);
+    // Fisher and Yates, since std::shuffle's order differs between libraries.
+    for (int i = 299; i > 0 && j <= 3000; --i)
+      std::swap(samples[i], samples[random() % (i + 1)]);
+    std::vector<int> seen(samples.begin() + first, samples.begin() + first + 3);
+    std::sort(seen.begin(), seen.end());
+    p.seen.insert(p.seen.end(), seen.begin(), seen.end());
+    p.start.push_back(static_cast<std::int64_t>(p.seen.size()));
+    p.cost.push_back(1);
+  }
+  CoverOptions options;
+  options.rounds = 1;
+  const CoverAnswer answer = solve_cover(p, options);
+  EXPECT_EQ(answer.lower_bound, 100);
+  EXPECT_GT(answer.cost, 101);
+}
+
+// Whole, but large: prices in cents. The proof is exact nevertheless.
+TEST(CoverSearch, ProvesLargeWholeCosts) {
+  CoverProblem problem = random_cover({.candidates = 14, .costs = true}, 2);
+  for (double& cost : problem.cost) cost = 1e6 * cost + 1;
+  const CoverAnswer answer = solve_cover(problem, {});
+  EXPECT_TRUE(answer.proven());
+  EXPECT_EQ(answer.cost, enumerated(problem));
 }
 
 /// Greedy's worst case, k = 2⁵ − 2 pairs: two candidates see half of each pair; greedy
