@@ -22,6 +22,7 @@ TEST_P(BruteForce, ProvenIsTheOptimumAndNoBoundExceedsIt) {
     CoverOptions options;
     options.seed = seed;
     options.threads = 1;
+    options.seconds = 1e9;
     double last_bound = 0;
     std::vector<double> bounds;
     options.progress = [&](const CoverProgress& now) {
