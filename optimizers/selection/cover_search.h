@@ -23,7 +23,7 @@ namespace delos {
 /// What has just moved stays; of a group, one takes the other's place. Where a step's
 /// value isn't positive, the weights w of all missed samples grow by one. Sources: Gao,
 /// Weise, Li (2015), Eur. J. Oper. Res. 246(3), 750–761: weights of samples; Zhang, Lü,
-/// Su, Li, et al. (2020), IJCAI, 1460–1466: exchanges of pairs, weights in local optima
+/// Su, Li, et al. (2020), IJCAI, 1481–1487: exchanges of pairs, weights in local optima
 /// only. Here with demands, costs and groups.
 class CoverSearch {
  public:
