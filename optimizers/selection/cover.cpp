@@ -6,10 +6,12 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "selection/check_cover.h"
+#include "selection/cover_annealing.h"
 #include "selection/cover_core.h"
 #include "selection/cover_search.h"
 #include "selection/cover_tree.h"
@@ -19,10 +21,8 @@ namespace delos {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Walks of a search, whatever the number of threads; list entries that each task of
-/// the first round reads, doubled from round to round, and of a late one; those of the
-/// largest core that is enumerated, since nodes copy it.
-constexpr int kWalks = 2;
+/// List entries that a walk reads in the first round, doubled from round to round, and
+/// in a late one; those of the largest core that is enumerated, since nodes copy it.
 constexpr std::int64_t kFirstWork = 100'000, kMostWork = 20'000'000;
 constexpr std::size_t kTreeEntries = 20'000'000;
 
@@ -69,8 +69,14 @@ class Rounds {
         core_(std::move(core)),
         whole_(whole_costs(problem)),
         dual_(core_) {
-    for (int w = 0; w < kWalks; ++w)
-      walks_.emplace_back(core_, options.seed + 0x9e3779b97f4a7c15ull * (w + 1));
+    const auto seed = [&](std::uint64_t k) {
+      return options.seed + 0x9e3779b97f4a7c15ull * k;
+    };
+    walks_.emplace_back(core_, seed(1));
+    if (CoverAnnealing::suits(core_))
+      annealing_.emplace(core_, seed(2));
+    else
+      walks_.emplace_back(core_, seed(2));
     bound_ = core_.chosen_cost;
     merge();
   }
@@ -82,6 +88,9 @@ class Rounds {
     const double enough =
         std::max(bound_, options_.stop_at.value_or(-kInfinity)) - core_.chosen_cost;
     std::vector<std::function<void()>> tasks;
+    // What takes longest begins first: annealing has as much as bound and walk
+    // together.
+    if (annealing_) tasks.push_back([&] { annealing_->run(2 * work_, limit, enough); });
     tasks.push_back([&] { raise_bound(limit); });
     for (CoverSearch& walk : walks_)
       tasks.push_back([&] { walk.run(work_, limit, enough); });
@@ -100,7 +109,7 @@ class Rounds {
     return cost_ == kInfinity && tree_ && tree_->done();
   }
   [[nodiscard]] std::int64_t moves() const {
-    std::int64_t sum = 0;
+    std::int64_t sum = annealing_ ? annealing_->moves() : 0;
     for (const CoverSearch& walk : walks_) sum += walk.moves();
     return sum;
   }
@@ -128,13 +137,15 @@ class Rounds {
     chosen_ = std::move(chosen);
   }
 
+  void offer(const CoverSelection& selection) {
+    std::vector<int> all = core_.chosen;
+    for (const int j : selection.best()) all.push_back(core_.candidate[j]);
+    offer(selection.best_cost() + core_.chosen_cost, std::move(all));
+  }
+
   void merge() {
-    for (const CoverSearch& walk : walks_) {
-      if (!(walk.best_cost() + core_.chosen_cost < cost_)) continue;
-      std::vector<int> all = core_.chosen;
-      for (const int j : walk.best()) all.push_back(core_.candidate[j]);
-      offer(walk.best_cost() + core_.chosen_cost, std::move(all));
-    }
+    for (const CoverSearch& walk : walks_) offer(walk.selection());
+    if (annealing_) offer(annealing_->selection());
     double bound = core_.chosen_cost + dual_.bound();
     bound -= 1e-9 * std::max(1.0, std::abs(bound));  // roundings of its sum
     if (whole_) bound = std::ceil(bound - 1e-6);
@@ -149,6 +160,7 @@ class Rounds {
   CoverCore core_;
   bool whole_;
   std::vector<CoverSearch> walks_;
+  std::optional<CoverAnnealing> annealing_;
   Lagrangian dual_;
   std::unique_ptr<CoverTree> tree_;
   std::int64_t work_ = kFirstWork;

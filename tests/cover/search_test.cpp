@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cover/instances.h"
-#include "selection/cover_search.h"
+#include "selection/cover_selection.h"
 
 namespace delos::test {
 namespace {
@@ -122,7 +122,7 @@ TEST(CoverSearch, BeatsGreedyByMoreThanThree) {
     close();
   }
   const CoverCore core = core_of(p);
-  const CoverSearch greedy(core, 1);
+  const CoverSelection greedy(core);
   EXPECT_EQ(greedy.best_cost(), kLevels);  // 9 against 2
   const CoverAnswer answer = solve_cover(p, {});
   EXPECT_EQ(answer.cost, 2);
