@@ -87,7 +87,8 @@ void Start::run_stages(int first, int end) {
   const int each = plan_.per_start / static_cast<int>(std::size(kWidths));
   for (int stage = first; stage < end && !cancelled(); ++stage) {
     x_ = run_stage(x_, kWidths[stage], each);
-    take(x_, hard(x_));
+    // Uninterrupted, the stage goes on: its next evaluation is another one.
+    take(x_, cancelled() ? at_->problem.score(x_) : hard(x_));
   }
 }
 

@@ -61,6 +61,27 @@ TEST(Study, IsTheSearchWithoutAFile) {
   EXPECT_EQ(study.scene(0).devices, load("10-better-speakers").devices);
 }
 
+// Stopped within a stage or between two, it goes on as if it hadn't been.
+TEST(Study, GoesOnWhereverItWasStopped) {
+  const Folder folder;
+  Study whole = begun(folder.path / "whole");
+  (void)whole.run(one_thread());
+  for (const std::size_t after : {1, 5, 8, 9, 10, 23, 47}) {
+    Study part = begun(folder.path / ("part" + std::to_string(after)));
+    std::atomic<bool> cancel = false;
+    OptimizeOptions options = one_thread();
+    options.cancel = &cancel;
+    options.progress = [&](const SearchProgress& at) {
+      if (at.evaluations >= after) cancel = true;
+    };
+    const OptimizeResult stopped = part.run(options);
+    EXPECT_EQ(stopped.stop, SearchStop::cancelled);
+    EXPECT_LT(part.evaluations(1).size(), after + 3);
+    (void)part.run(one_thread());
+    EXPECT_EQ(part.dump(), whole.dump()) << after;
+  }
+}
+
 // Every place at which a file may not grow any more: a clear sentence, and a study that
 // goes on once there is room.
 TEST(Study, OutlivesAFullDisk) {
