@@ -60,13 +60,25 @@ double objective_shown(const Scene& scene, double objective) {
   return terms.size() == 1 && terms.front().maximize ? -objective : objective;
 }
 
+std::string robust_text(const Scene& scene) {
+  const Robustness& robust = scene.objective.robust;
+  std::string text;
+  if (!robust.failures.empty())
+    text += ", worst of " + counted(robust.failures.size(), "failure");
+  if (robust.is_drawn())
+    text += std::string(robust.combine == DrawRule::mean ? ", mean" : ", worst") +
+            " of " + counted(static_cast<std::size_t>(robust.draws), "draw");
+  return text;
+}
+
 std::string objective_text(const Scene& scene) {
   const auto& terms = scene.objective.terms;
   if (terms.size() > 1)
-    return "weighted sum of " + std::to_string(terms.size()) + " terms";
+    return "weighted sum of " + std::to_string(terms.size()) + " terms" +
+           robust_text(scene);
   const ObjectiveTerm term = terms.empty() ? ObjectiveTerm{} : terms.front();
   return std::string(word(term.reduction)) + " " +
-         (term.metric.empty() ? scene.metric : term.metric);
+         (term.metric.empty() ? scene.metric : term.metric) + robust_text(scene);
 }
 
 std::string objective_unit(const Scene& scene) {
@@ -95,6 +107,8 @@ Json search_json(const OptimizeResult& result, PluginRegistry& plugins) {
       {"objective", {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}},
       {"initial", number(objective_shown(scene, result.initial.objective))},
       {"best", number(objective_shown(scene, result.best.objective))},
+      {"plain_initial", number(objective_shown(scene, result.plain_initial))},
+      {"plain_best", number(objective_shown(scene, result.plain_best))},
       {"stop", to_string(result.stop)},
       {"algorithm", result.algorithm},
       {"evaluations", result.evaluations},
@@ -120,6 +134,13 @@ void print_search(std::ostream& out, const OptimizeResult& result,
     out << " (" << std::showpos << std::setprecision(3) << 100 * (to / from - 1)
         << std::noshowpos << " %)";
   out << "\n";
+  if (before.objective.robust != Robustness{}) {
+    const auto plain = [&](double objective) {
+      return format_quantity(objective_shown(before, objective), unit);
+    };
+    out << "where nothing fails or is off: " << plain(result.plain_initial)
+        << " before, " << plain(result.plain_best) << " after\n";
+  }
   const FieldStatistics a = summarize(result.initial_field),
                         b = summarize(result.best_field);
   out << "observable samples: " << a.observable << " before, " << b.observable

@@ -15,6 +15,10 @@ std::vector<VarianceTerm> variance_terms(const Scene& scene, const System& syste
                                          const SearchSamples& samples) {
   const std::vector<unsigned char> inside =
       samples_inside_solids(system, samples.samples, scene.orientations);
+  if (scene.objective.robust != Robustness{})
+    throw std::invalid_argument(
+        "a selection withstands nothing: objective.robust is for searches; take it "
+        "out");
   std::vector<ObjectiveTerm> written = scene.objective.terms;
   if (written.empty()) written.emplace_back();
   std::vector<VarianceTerm> terms;

@@ -70,11 +70,12 @@ Answers answers(Problem& problem, std::span<const double> at, double loss,
     one.up_is_bound = high == 1;
     all.variables.push_back(std::move(one));
   }
+  // Of an objective that withstands failures, the loss is that of what it is without.
+  const double plain = problem.plain_objective(x);
   for (std::size_t i = 0; devices.size() > 1 && i < devices.size() && !stopped(); ++i) {
     if (progress) progress(x.size() + i, steps);
     const double without = problem.objective_without(x, i);
-    all.devices.push_back(
-        {devices[i].name, (without - best.objective) / std::abs(best.objective)});
+    all.devices.push_back({devices[i].name, (without - plain) / std::abs(plain)});
   }
   std::stable_sort(all.devices.begin(), all.devices.end(),
                    [](const DeviceAnswer& a, const DeviceAnswer& b) {

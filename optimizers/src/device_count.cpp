@@ -62,6 +62,7 @@ Scene without_device(Scene scene, const std::string& device) {
   std::erase_if(scene.devices, [&](const DeviceEntry& d) { return d.name == device; });
   std::erase_if(scene.variables,
                 [&](const VariableEntry& v) { return is_of(v.path, device); });
+  std::erase(scene.objective.robust.failures, device);
   std::erase_if(scene.constraints, [&](ConstraintEntry& entry) {
     if (auto* names = devices_of(entry)) {
       std::erase(*names, device);
@@ -94,10 +95,14 @@ Scene with_copy(Scene scene, const std::string& device) {
   }
   scene.variables.insert(scene.variables.end(), more.begin(), more.end());
 
+  const auto take_along = [&](std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), device) != names.end())
+      names.push_back(name);
+  };
+  take_along(scene.objective.robust.failures);
   for (ConstraintEntry& entry : scene.constraints) {
     if (auto* names = devices_of(entry)) {
-      if (std::find(names->begin(), names->end(), device) != names->end())
-        names->push_back(name);
+      take_along(*names);
     } else if (auto* sum = std::get_if<KeepSum>(&entry.what)) {
       const auto factors = sum->factors;
       for (const auto& [path, factor] : factors)

@@ -237,6 +237,8 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
     result.best_x = result.initial_x;
   }
   result.constraints = constraint_reports(whole, result.best);
+  result.plain_initial = whole.plain_objective(result.initial_x);
+  result.plain_best = whole.plain_objective(result.best_x);
   result.initial_field = whole.field(result.initial_x);
   result.best_field = whole.field(result.best_x);
   result.scene = whole.design().scene();

@@ -41,11 +41,11 @@ void Problem::State::read_objective() {
   }
   // Where solids are is asked once: searches seldom move them.
   std::vector<unsigned char> inside;
-  if (system.in_world.triangles() > 0) {
+  if (nominal.system.in_world.triangles() > 0) {
     const auto coverage =
         std::get<Metric>(parse_metric("coverage", scene().motion.layout));
-    inside = evaluate_field(system, samples.samples, scene().orientations, coverage,
-                            {.threads = options.threads})
+    inside = evaluate_field(nominal.system, samples.samples, scene().orientations,
+                            coverage, {.threads = options.threads})
                  .inside;
   }
   for (const ObjectiveTerm& term : all)
@@ -76,11 +76,13 @@ void Problem::State::read_limits() {
 
 void Problem::State::build(std::span<const double> x) {
   design.set(x);
-  system = build_system(scene(), plugins, system.devices.empty() ? nullptr : &system);
+  System& last = nominal.system;
+  last = build_system(scene(), plugins, last.devices.empty() ? nullptr : &last);
 }
 
 /// Try each variable once.
 void Problem::State::find_touched() {
+  const System& system = nominal.system;
   const std::vector<double>& x = design.start();
   for (std::size_t v = 0; v < design.size(); ++v) {
     design.set(x);
@@ -102,9 +104,8 @@ void Problem::State::find_touched() {
   design.set(x);
 }
 
-double Problem::State::objective(const std::vector<std::vector<double>>& values,
-                                 bool is_soft,
-                                 std::vector<std::vector<double>>* slopes) const {
+double Problem::State::objective(const FieldValues& values, bool is_soft,
+                                 FieldValues* slopes) const {
   double sum = 0;
   std::vector<double> costs, of_term;
   for (const Term& t : terms) {
@@ -124,8 +125,8 @@ double Problem::State::objective(const std::vector<std::vector<double>>& values,
   return sum;
 }
 
-void Problem::State::metric_slacks(const std::vector<std::vector<double>>& values,
-                                   bool is_soft, double* out) const {
+void Problem::State::metric_slacks(const FieldValues& values, bool is_soft,
+                                   double* out) const {
   for (const MetricLimit& limit : metric_limits) {
     double worst = -kInfinity;
     for (const std::size_t i : limit.samples) {
@@ -147,26 +148,29 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
         "variables:\n  - {path: \"devices.*.at.z\", lower: 0.5, upper: 3}");
   s.samples = search_samples(scene, options.samples);
   s.build(s.design.start());
-  s.guess = scene.objective.guess > 0
-                ? scene.objective.guess
-                : typical_guess(s.system, s.samples.samples, scene.orientations);
+  s.guess =
+      scene.objective.guess > 0
+          ? scene.objective.guess
+          : typical_guess(s.nominal.system, s.samples.samples, scene.orientations);
   s.read_objective();
   s.read_limits();
+  s.read_robust();
   s.find_touched();
   // Beacons come into view and go at once, whatever the device's place.
   for (const Touched& what : s.touched)
     for (const std::size_t i : what.layers)
-      if (s.system.devices[i].beacons)
-        s.slope_problem = "what " + s.system.devices[i].name +
+      if (s.nominal.system.devices[i].beacons)
+        s.slope_problem = "what " + s.nominal.system.devices[i].name +
                           " sees of beacons has no derivative here";
   for (const Metric& metric : s.metrics) {
-    if (const std::string problem = metric_problem(s.system, metric); !problem.empty())
+    if (const std::string problem = metric_problem(s.nominal.system, metric);
+        !problem.empty())
       throw std::invalid_argument(problem);
     if (s.slope_problem.empty())
-      s.slope_problem = delos::slope_problem(s.system, metric);
+      s.slope_problem = delos::slope_problem(s.nominal.system, metric);
   }
   s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, s.metrics,
-                                       guess_information(s.system, s.guess),
+                                       guess_information(s.nominal.system, s.guess),
                                        options.threads);
 }
 
@@ -178,30 +182,6 @@ const std::vector<Limit>& Problem::limits() const { return state_->limits; }
 std::size_t Problem::samples() const { return state_->samples.set.size(); }
 const std::string& Problem::slope_problem() const { return state_->slope_problem; }
 
-/// The metrics of the system as it is built. Coverage counts no guess.
-std::vector<std::vector<double>> Problem::State::hard_values(bool with_guess) {
-  const auto layers_of = [&](bool with) -> const InformationLayers& {
-    std::optional<InformationLayers>& layers = with ? guessed : plain;
-    System now = system;
-    if (with) add_guess(now, guess);
-    if (layers) {
-      layers->update(now);
-    } else {
-      layers.emplace(now, field_poses(samples.samples, scene().orientations),
-                     LayerOptions{.threads = options.threads});
-    }
-    return *layers;
-  };
-  std::vector<std::vector<double>> values;
-  for (const Metric& metric : metrics) {
-    const bool with = with_guess && metric.kind != MetricKind::coverage;
-    values.push_back(evaluate_field(layers_of(with), samples.samples,
-                                    scene().orientations, metric, field_options())
-                         .value);
-  }
-  return values;
-}
-
 Score Problem::score(std::span<const double> x) {
   State& s = *state_;
   Score score{kInfinity, std::vector<double>(s.limits.size(), -kInfinity)};
@@ -210,11 +190,11 @@ Score Problem::score(std::span<const double> x) {
   } catch (const std::exception&) {
     return score;  // no such device, or no such place: as bad as can be
   }
-  score.objective = s.objective(s.hard_values(true), false, nullptr);
+  score.objective = s.robust_objective();
   s.geometry.slacks(s.scene(), score.slacks.data());
   // What a guess makes finite isn't kept.
   if (!s.metric_limits.empty())
-    s.metric_slacks(s.hard_values(false), false,
+    s.metric_slacks(s.hard_values(s.nominal, false), false,
                     score.slacks.data() + s.geometry.limits().size());
   return score;
 }
@@ -231,21 +211,16 @@ std::vector<double> Problem::place_slacks(std::span<const double> x) {
   return slacks;
 }
 
+double Problem::plain_objective(std::span<const double> x) {
+  State& s = *state_;
+  s.build(x);
+  return s.objective(s.hard_values(s.nominal, true), false, nullptr);
+}
+
 double Problem::objective_without(std::span<const double> x, std::size_t device) {
   State& s = *state_;
   s.build(x);
-  System rest = s.system;
-  rest.devices.erase(rest.devices.begin() + static_cast<std::ptrdiff_t>(device));
-  System guessed = rest;
-  add_guess(guessed, s.guess);
-  std::vector<std::vector<double>> values;
-  for (const Metric& metric : s.metrics) {
-    const bool plain = metric.kind == MetricKind::coverage;
-    values.push_back(evaluate_field(plain ? rest : guessed, s.samples.samples,
-                                    s.scene().orientations, metric, s.field_options())
-                         .value);
-  }
-  return s.objective(values, false, nullptr);
+  return s.objective(s.hard_values(s.nominal, true, device), false, nullptr);
 }
 
 Field Problem::field(std::span<const double> x) {
@@ -253,8 +228,9 @@ Field Problem::field(std::span<const double> x) {
   s.build(x);
   const auto metric =
       std::get<Metric>(parse_metric(s.scene().metric, s.scene().motion.layout));
-  Field field = evaluate_field(s.system, s.samples.samples, s.scene().orientations,
-                               metric, {.threads = s.options.threads});
+  Field field =
+      evaluate_field(s.nominal.system, s.samples.samples, s.scene().orientations,
+                     metric, {.threads = s.options.threads});
   field.scene = s.scene().name;
   return field;
 }

@@ -40,16 +40,19 @@ double soft_worst(const MetricLimit& limit, const std::vector<double>& values,
   return worst + scale * std::log(sum);
 }
 
-void Problem::State::soft_values(std::span<const double> x, double width, Score& out) {
+/// @param[out] slope of the objective, or null
+void Problem::State::soft_values(std::span<const double> x, double width, Score& out,
+                                 double* slope) {
   out = {kInfinity, std::vector<double>(limits.size(), -kInfinity)};
   try {
     build(x);
   } catch (const std::exception&) {
     return;
   }
-  values = soft->evaluate(system, width);
-  out.objective = objective(values, true, nullptr);
+  out.objective = soft_robust_objective(x, width, slope);
   geometry.slacks(scene(), out.slacks.data());
+  if (metric_limits.empty()) return;
+  if (!drawn.empty()) values = soft->evaluate(nominal.system, width);
   metric_slacks(values, true, out.slacks.data() + geometry.limits().size());
 }
 
@@ -59,8 +62,12 @@ Score Problem::soft_score(std::span<const double> x, double width) {
   return score;
 }
 
-/// ∂J/∂x of variables that touch single devices, from those of poses and layers.
-void Problem::State::chain(std::span<const double> x,
+/// ∂J/∂x of variables that touch single devices, from those of poses and layers, where
+/// the soft field is that of a world.
+//
+// A deviation moves a device in the world and turns it about its own axes: slopes with
+// respect to the place it has are those with respect to the place it should have.
+void Problem::State::chain(std::span<const double> x, const World& world,
                            const std::vector<PoseSlope>& poses, double* out) {
   std::vector<PlacedDevice> changed;
   for (std::size_t v = 0; v < design.size(); ++v) {
@@ -82,9 +89,10 @@ void Problem::State::chain(std::span<const double> x,
                    down = std::max(x[v] - kLayerStep, 0.0);
       const auto contraction = [&](double at) {
         design.set(v, at);
-        PlacedDevice device = system.devices[i];
+        PlacedDevice device = nominal.system.devices[i];
         device.params = scene().devices[i].params;
         device.device = make_device(*plugins.find(device.type).info, device.params);
+        if (!world.deviations.empty()) device = deviated(device, world.deviations[i]);
         return soft->contraction(i, device);
       };
       out[v] += (contraction(up) - contraction(down)) / (up - down);
@@ -123,22 +131,16 @@ Score Problem::score_with_slopes(std::span<const double> x, double width, double
   Score score;
   const bool differences = std::any_of(s.touched.begin(), s.touched.end(),
                                        [](const Touched& t) { return t.all; });
-  s.soft_values(x, width, score);
+  s.soft_values(x, width, score, slope);
   if (!std::isfinite(score.objective)) return score;
-  const std::vector<std::vector<double>> values = s.values;
-  const std::vector<std::vector<double>> zero(
-      s.metrics.size(), std::vector<double>(s.samples.set.size()));
-  auto of_values = zero;
-  s.objective(values, true, &of_values);
-  s.soft->adjoin(of_values);
-  s.chain(x, s.soft->pose_slopes(), slope);
+  const FieldValues values = s.values;
   for (std::size_t k = 0; k < s.metric_limits.size(); ++k) {
     const MetricLimit& limit = s.metric_limits[k];
-    of_values = zero;
+    FieldValues of_values(s.metrics.size(), std::vector<double>(s.samples.set.size()));
     (void)soft_worst(limit, values[limit.metric], of_values[limit.metric].data());
     for (double& w : of_values[limit.metric]) w = -w;
     s.soft->adjoin(of_values);
-    s.chain(x, s.soft->pose_slopes(), slopes + (first + k) * n);
+    s.chain(x, s.nominal, s.soft->pose_slopes(), slopes + (first + k) * n);
   }
 
   // Places are cheap: differences of the slacks themselves.

@@ -1,5 +1,5 @@
-// What a problem holds. Its scores stand in problem.cpp, its slopes in
-// problem_slopes.cpp.
+// What a problem holds. Its scores stand in problem.cpp and withstanding.cpp, its
+// slopes in problem_slopes.cpp.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "delos/field/soft_field.h"
 #include "delos/optimize/problem.h"
+#include "deviation.h"
 #include "limits.h"
 #include "search_samples.h"
 
@@ -36,6 +37,13 @@ struct Touched {
   bool all = false;                        ///< more than single devices
 };
 
+/// A system that is judged: the scene's own, or what a draw makes of it.
+struct World {
+  System system;
+  std::vector<Deviation> deviations;                // one a device; none: the scene's
+  std::optional<InformationLayers> guessed, plain;  // with and without the guess
+};
+
 /// The softened worst of a limit's values: (M/s) log Σ exp(s c/M), M the limit.
 /// @param[out] slopes one a sample, or null
 [[nodiscard]] double soft_worst(const MetricLimit& limit,
@@ -57,18 +65,21 @@ struct Problem::State {
   std::vector<Touched> touched;
   double guess = 0;
   std::string slope_problem;
-  System system;                                    // as last built, without the guess
-  std::optional<InformationLayers> guessed, plain;  // with and without the guess
+  std::vector<std::size_t> failing;  // devices of which one may fail
+  World nominal;                     // as last built
+  std::vector<World> drawn;          // what each draw makes of it; see draw()
   std::unique_ptr<SoftField> soft;
-  std::vector<std::vector<double>> values;  // of the soft field last evaluated
+  FieldValues values;  // of the soft field last evaluated, of all devices
 
   [[nodiscard]] const Scene& scene() const { return design.scene(); }
 
   std::size_t metric_index(const std::string& name);
   void read_objective();
   void read_limits();
+  void read_robust();
   void find_touched();
   void build(std::span<const double> x);
+  void draw();
   [[nodiscard]] FieldOptions field_options() const {
     FieldOptions all;
     all.threads = options.threads;
@@ -76,14 +87,20 @@ struct Problem::State {
     return all;
   }
 
-  std::vector<std::vector<double>> hard_values(bool with_guess);
-  double objective(const std::vector<std::vector<double>>& values, bool is_soft,
-                   std::vector<std::vector<double>>* slopes) const;
-  void metric_slacks(const std::vector<std::vector<double>>& values, bool is_soft,
-                     double* out) const;
-  void soft_values(std::span<const double> x, double width, Score& out);
-  void chain(std::span<const double> x, const std::vector<PoseSlope>& poses,
-             double* out);
+  const InformationLayers& layers(World& world, bool with_guess);
+  FieldValues hard_values(World& world, bool with_guess,
+                          std::optional<std::size_t> missing = {});
+  double objective(const FieldValues& values, bool is_soft, FieldValues* slopes) const;
+  double hard_objective(World& world);
+  double robust_objective();
+  void metric_slacks(const FieldValues& values, bool is_soft, double* out) const;
+  double soft_objective(std::span<const double> x, const World& world, double width,
+                        double* slope);
+  double soft_robust_objective(std::span<const double> x, double width, double* slope);
+  void soft_values(std::span<const double> x, double width, Score& out,
+                   double* slope = nullptr);
+  void chain(std::span<const double> x, const World& world,
+             const std::vector<PoseSlope>& poses, double* out);
   void slopes_by_differences(std::span<const double> x, double width, double* slope,
                              double* slopes);
 };

@@ -180,5 +180,20 @@ TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
   }
 }
 
+// A device that fails leaves the layers of a system that never had it.
+TEST(Layers, WithoutADeviceAreThoseOfTheOthers) {
+  const System system = many_devices();
+  const InformationLayers kept(system, grid_poses()),
+      made(system, grid_poses(), {.memory_limit = 0});
+  for (const std::size_t device : {0u, 7u, 8u, 19u}) {
+    System rest = system;
+    rest.devices.erase(rest.devices.begin() + device);
+    const InformationLayers fresh(rest, grid_poses());
+    expect_same(kept.without(device), fresh);
+    expect_same(made.without(device), fresh);
+    EXPECT_EQ(kept.without(device).system().devices.size(), 19u);
+  }
+}
+
 }  // namespace
 }  // namespace delos

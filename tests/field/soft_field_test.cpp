@@ -114,6 +114,46 @@ TEST(SoftField, SlopesOfTheDevice) { expect_slopes<SmoothRange>(1.1, 0.2); }
 
 TEST(SoftField, SlopesByDifferences) { expect_slopes<testing::TestRange>(1e9, 0.2); }
 
+// A failure is the field of the other devices, and what it costs pulls at those alone.
+TEST(SoftField, FailuresAreFieldsOfTheOtherDevices) {
+  const System system = rig<SmoothRange>(1.1);
+  const std::vector<Metric> metrics = {testing::metric_of(system, "sigma_position"),
+                                       testing::metric_of(system, "sigma_z")};
+  const std::vector<std::size_t> failing = {2, 0};
+  SoftField soft(kSamples, {}, metrics, 1.0);
+  const FieldValues all = soft.evaluate(system, 0.2, failing);
+  SoftField other(kSamples, {}, metrics, 1.0);
+  const FieldValues sum = other.evaluate(system, 0.2);
+  ASSERT_EQ(soft.failure_values().size(), 2u);
+  const FieldValues ones(2, std::vector<double>(kSamples.points.size(), 1.0)),
+      none(2, std::vector<double>(kSamples.points.size(), 0.0));
+  for (std::size_t k = 0; k < 2; ++k) {
+    System rest = system;
+    rest.devices.erase(rest.devices.begin() + static_cast<std::ptrdiff_t>(failing[k]));
+    const FieldValues of_rest_alone = other.evaluate(rest, 0.2);
+    for (std::size_t m = 0; m < 2; ++m) {
+      for (std::size_t p = 0; p < kSamples.points.size(); ++p) {
+        EXPECT_NEAR(all[m][p], sum[m][p], 1e-12 * sum[m][p]);
+        EXPECT_NEAR(soft.failure_values()[k][m][p], of_rest_alone[m][p],
+                    1e-12 * of_rest_alone[m][p]);
+      }
+    }
+    other.adjoin(ones);
+    const std::vector<PoseSlope> expected = other.pose_slopes();
+    std::vector<FieldValues> slopes = {none, none};
+    slopes[k] = ones;
+    soft.adjoin(none, slopes);
+    const std::vector<PoseSlope> found = soft.pose_slopes();
+    const double size = expected[0].norm();
+    EXPECT_GT(size, 0);
+    for (std::size_t i = 0, of_rest = 0; i < system.devices.size(); ++i) {
+      const PoseSlope wanted =
+          i == failing[k] ? PoseSlope(PoseSlope::Zero()) : expected[of_rest++];
+      EXPECT_LT((found[i] - wanted).norm(), 1e-12 * size) << i;
+    }
+  }
+}
+
 // A wall that ends short of the sight line: the nearer, the less is seen, down to
 // nothing where the line is hidden, and the edge hardens with the width.
 TEST(SoftField, ShadowsHaveSoftEdges) {

@@ -116,6 +116,33 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"15-uwb-anchors",
              "[{path: devices.*.coordinates}, {path: devices.east.params.sigma}]",
              "{minimize: p_norm, p: 4}"},
+        // Each camera may fail, and what is left may be blind.
+        Case{"02-eight-cameras", kPlaces, "{minimize: mean, robust: {failures: '*'}}"},
+        Case{"06-furnished-lab",
+             kTurned,
+             "{minimize: p_norm, robust: {failures: 'c10433*', mounting: {at: 3 cm, "
+             "angle: 1 deg}, draws: 3}}",
+             {},
+             60},
+        Case{"08-self-occlusion",
+             kPlaces,
+             "{minimize: mean, robust: {failures: '*'}}",
+             {},
+             5},
+        // Several terms, noises of differing devices, parameters of one.
+        Case{"03-hybrid",
+             "[{path: devices.*.at, lower: -6, upper: 7}, {path: devices.s2.params.r, "
+             "lower: 0.001, upper: 0.1}]",
+             "{terms: [{minimize: cvar, of: eiglen, level: 0.8}, {minimize: mean, of: "
+             "sigma_x, weight: 2}], robust: {failures: [s1, s2, upper1], noise: 30 %, "
+             "mounting: {at: 1 cm}, draws: 4, combine: worst}}"},
+        // Rates by differences, and limits that hold where nothing fails.
+        Case{
+            "10-better-speakers",
+            "[{path: devices.*.at, lower: -1, upper: 2}, {path: motion.q.2, lower: "
+            "0.05, upper: 1}]",
+            "{minimize: mean, robust: {failures: '*', mounting: {at: 2 cm}, draws: 2}}",
+            {{"constraints", "[{metric: eigmax, below: 5 cm}]"}}},
         // Limits on places, numbers and metrics.
         Case{"10-better-speakers",
              kSpeakers,

@@ -65,6 +65,36 @@ std::vector<Bad> bad_searches() {
       {"Level",
        with("objective: {minimize: cvar, level: 1.5}\n"),
        {e("18:36: error: objective.level: 1.5 is out of range")}},
+      {"UnknownFailure",
+       with("objective: {minimize: mean, robust: {failures: [s1, s3]}}\n"),
+       {e("18:48: error: objective.robust.failures: there is no device 's3'; did you "
+          "mean 's1'?")}},
+      {"NothingWithstood",
+       with("objective: {minimize: mean, robust: {}}\n"),
+       {e("18:37: error: objective.robust: withstands nothing; give failures, mounting "
+          "or noise")}},
+      {"NegativeDeviations",
+       with("objective:\n  robust: {mounting: {at: -1 cm, angle: 0}, noise: -10 %}\n"),
+       {e("19:27: error: objective.robust.mounting.at: must be above 0; leave out what "
+          "isn't drawn"),
+        e("19:41: error: objective.robust.mounting.angle: must be above 0; leave out "
+          "what isn't drawn"),
+        e("19:52: error: objective.robust.noise: must be above 0; leave out what isn't "
+          "drawn")}},
+      {"NoDraws",
+       with("objective: {minimize: mean, robust: {noise: 10 %, draws: 0}}\n"),
+       {e("18:58: error: objective.robust.draws: 0 is outside 1 to 10,000")}},
+      {"DrawsOfNothing",
+       with("objective: {minimize: mean, robust: {failures: s1, draws: 4}}\n"),
+       {e("18:59: error: objective.robust.draws: nothing is drawn; give mounting or "
+          "noise")}},
+      {"ASingleDevice",
+       "delos: 1\nname: One\nmotion: {type: position, q: [1, 1, 1]}\n"
+       "sample: {points: [[0, 0, 0]]}\ndevices:\n"
+       "  - {name: s1, type: probe, rate: 50, at: [0, 0, 1], params: {r: 1}}\n"
+       "objective: {minimize: mean, robust: {failures: s1}}\n",
+       {e("7:48: error: objective.robust.failures: of a single device none may fail; "
+          "nothing would be left")}},
       {"UnknownRegion",
        with("constraints:\n  - {inside: stage, devices: s1}\n"),
        {e("19:14: error: constraints.0.inside: there is no region 'stage'; the scene "

@@ -1,6 +1,8 @@
 // What scenes say of searches: variables by path, objectives, constraints.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "delos/scene/number.h"
 #include "scene/load.h"
 
@@ -85,6 +87,30 @@ TEST(SearchKeys, SurviveTheRoundTrip) {
   const Loaded again = load(write_scene(scene));
   EXPECT_EQ(again.findings, std::vector<std::string>{});
   EXPECT_TRUE(again.scene == scene) << write_scene(scene);
+}
+
+TEST(SearchKeys, SayWhatIsWithstood) {
+  const Scene scene = scene_with(
+      "objective:\n"
+      "  robust: {failures: \"*\", mounting: {at: 1 cm, angle: 180 deg}, noise: 10 %, "
+      "draws: 8, seed: 3, combine: worst}\n");
+  const Robustness& robust = scene.objective.robust;
+  EXPECT_EQ(robust.failures, (std::vector<std::string>{"s1", "s2"}));
+  EXPECT_EQ(robust.place, 0.01);
+  EXPECT_DOUBLE_EQ(robust.angle, std::numbers::pi);
+  EXPECT_EQ(robust.noise, 0.1);
+  EXPECT_EQ(robust.draws, 8);
+  EXPECT_EQ(robust.seed, 3);
+  EXPECT_EQ(robust.combine, DrawRule::worst);
+  const Loaded again = load(write_scene(scene));
+  EXPECT_EQ(again.findings, std::vector<std::string>{});
+  EXPECT_TRUE(again.scene == scene) << write_scene(scene);
+
+  const Scene failing =
+      scene_with("objective: {minimize: p_norm, guess: 2, robust: {failures: [s2]}}\n");
+  EXPECT_EQ(failing.objective.terms.at(0).reduction, Reduction::p_norm);
+  EXPECT_FALSE(failing.objective.robust.is_drawn());
+  EXPECT_TRUE(load(write_scene(failing)).scene == failing) << write_scene(failing);
 }
 
 }  // namespace

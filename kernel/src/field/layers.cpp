@@ -37,6 +37,7 @@ InformationLayers::InformationLayers(const System& system,
   fill_all();
 }
 
+InformationLayers::InformationLayers() = default;
 InformationLayers::InformationLayers(InformationLayers&&) noexcept = default;
 InformationLayers& InformationLayers::operator=(InformationLayers&&) noexcept = default;
 InformationLayers::~InformationLayers() = default;
@@ -99,6 +100,36 @@ std::size_t InformationLayers::update(const System& system) {
     sum_total(*shape_, blocks_[b]);
   }
   return changed.size();
+}
+
+InformationLayers InformationLayers::without(std::size_t device) const {
+  System rest = system_;
+  rest.devices.erase(rest.devices.begin() + static_cast<std::ptrdiff_t>(device));
+  if (!kept_ || information_size(rest) != shape_->columns)
+    return InformationLayers(rest, poses_, options_);
+  InformationLayers out;
+  out.system_ = std::move(rest);
+  out.shape_ = std::make_unique<LayerShape>(out.system_);
+  out.poses_ = poses_;
+  out.options_ = options_;
+  out.kept_ = true;
+  out.blocks_.resize(blocks_.size());
+  const auto skip = [&](const auto& from, std::size_t each, auto& to) {
+    const auto at = from.begin() + static_cast<std::ptrdiff_t>(device * each);
+    std::copy(from.begin(), at, to.begin());
+    std::copy(at + static_cast<std::ptrdiff_t>(each), from.end(),
+              to.begin() + (at - from.begin()));
+  };
+  const int threads = options_.threads > 0 ? options_.threads : omp_get_max_threads();
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    clear_block(*out.shape_, blocks_[b].lanes, out.blocks_[b]);
+    skip(blocks_[b].layers, shape_->stride, out.blocks_[b].layers);
+    skip(blocks_[b].seen, 1, out.blocks_[b].seen);
+    skip(blocks_[b].perfect, 1, out.blocks_[b].perfect);
+    sum_layers(*out.shape_, out.blocks_[b]);
+  }
+  return out;
 }
 
 const LayerBlock& InformationLayers::block(std::size_t b, LayerBlock& scratch) const {

@@ -82,27 +82,6 @@ void read_limit(Reader& reader, const Place& at, Draft& out) {
   out.limit = reader.number(at, unit);
 }
 
-void read_devices(Reader& reader, const Place& at, Draft& out) {
-  std::vector<std::string> patterns;
-  if (at.node().kind == Node::Kind::list) {
-    for (const Node& item : at.node().items) patterns.push_back(item.text);
-  } else if (const auto word = reader.word(at)) {
-    patterns.push_back(*word);
-  }
-  if (patterns.empty()) return;
-  auto names = expand_devices(*out.scene, patterns);
-  if (const auto* problem = std::get_if<std::string>(&names))
-    reader.error(at, *problem);
-  else
-    out.devices = std::get<0>(std::move(names));
-}
-
-Node names_node(const std::vector<std::string>& names) {
-  std::vector<Node> list;
-  for (const std::string& name : names) list.push_back(to_node(name));
-  return to_node(std::move(list));
-}
-
 template <class Kind>
 const Kind* as(const Draft& draft) {
   return std::get_if<Kind>(&draft.entry.what);
@@ -181,7 +160,10 @@ constexpr std::array<Key<Draft>, 16> kConstraintKeys = {{
        return std::nullopt;
      }},
     {"devices", Need::optional, "the devices that it is about; * is any part of a name",
-     read_devices, write_devices},
+     [](Reader& r, const Place& p, Draft& d) {
+       d.devices = read_device_names(r, p, *d.scene);
+     },
+     write_devices},
     {"margin", Need::optional,
      "of inside and outside: how far from the surface, metres",
      [](Reader& r, const Place& p, Draft& d) { d.margin = r.number(p, "m"); },
@@ -329,6 +311,23 @@ void complete(Draft& draft) {
 }
 
 }  // namespace
+
+std::vector<std::string> read_device_names(Reader& reader, const Place& at,
+                                           const Scene& scene) {
+  std::vector<std::string> patterns;
+  if (at.node().kind == Node::Kind::list) {
+    for (const Node& item : at.node().items) patterns.push_back(item.text);
+  } else if (const auto word = reader.word(at)) {
+    patterns.push_back(*word);
+  }
+  if (patterns.empty()) return {};
+  auto names = expand_devices(scene, patterns);
+  if (const auto* problem = std::get_if<std::string>(&names)) {
+    reader.error(at, *problem);
+    return {};
+  }
+  return std::get<0>(std::move(names));
+}
 
 void read_constraints(Reader& reader, const Place& at, Scene& scene) {
   if (!reader.expect(at, Node::Kind::list, "a list of constraints")) return;

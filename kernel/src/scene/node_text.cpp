@@ -125,6 +125,12 @@ Node to_node(const std::vector<Eigen::Vector3d>& vectors) {
   return to_node(std::move(items));
 }
 
+Node names_node(const std::vector<std::string>& names) {
+  std::vector<Node> items;
+  for (const std::string& name : names) items.push_back(to_node(name));
+  return to_node(std::move(items));
+}
+
 Node vector_node(const Eigen::Ref<const Eigen::VectorXd>& vector) {
   std::vector<Node> items;
   for (const double value : vector) items.push_back(to_node(value));

@@ -15,6 +15,8 @@ namespace delos {
 [[nodiscard]] Node to_node(const std::vector<Eigen::Vector3d>& vectors);
 [[nodiscard]] Node to_node(std::vector<Node> items);
 
+/// A list of the names.
+[[nodiscard]] Node names_node(const std::vector<std::string>& names);
 /// A list of the vector's numbers.
 [[nodiscard]] Node vector_node(const Eigen::Ref<const Eigen::VectorXd>& vector);
 /// A list of the matrix's rows.

@@ -201,7 +201,7 @@ void read_terms(Reader& reader, const Place& at, ObjectiveDraft& out) {
   }
 }
 
-constexpr std::array<Key<ObjectiveDraft>, 2> kObjectiveKeys = {{
+constexpr std::array<Key<ObjectiveDraft>, 3> kObjectiveKeys = {{
     {"terms", Need::optional, "a list of terms, whose weighted sum is made small",
      read_terms,
      [](const ObjectiveDraft& d) -> Written {
@@ -222,6 +222,11 @@ constexpr std::array<Key<ObjectiveDraft>, 2> kObjectiveKeys = {{
        if (d.objective.guess == 0) return std::nullopt;
        return to_node(d.objective.guess);
      }},
+    {"robust", Need::optional, "failures and deviations that are withstood",
+     [](Reader& r, const Place& p, ObjectiveDraft& d) {
+       read_robust(r, p, *d.scene, d.objective.robust);
+     },
+     [](const ObjectiveDraft& d) { return write_robust(d.objective.robust); }},
 }};
 
 }  // namespace
@@ -242,21 +247,23 @@ void read_objective(Reader& reader, const Place& at, Scene& scene) {
   ObjectiveDraft draft{&scene, {}};
   const Node& node = at.node();
   if (node.kind == Node::Kind::map && !node.find("terms")) {
-    // The keys of the only term stand beside `guess`.
+    // The keys of the only term stand beside `guess` and `robust`.
     Node term = node, rest = node;
     term.keys.clear();
     term.items.clear();
     rest.keys.clear();
     rest.items.clear();
     for (std::size_t i = 0; i < node.items.size(); ++i) {
-      Node& part = node.keys[i].text == "guess" ? rest : term;
+      const std::string& key = node.keys[i].text;
+      Node& part = key == "guess" || key == "robust" ? rest : term;
       part.keys.push_back(node.keys[i]);
       part.items.push_back(node.items[i]);
     }
-    read_map(reader, Place(rest), kObjectiveKeys, draft);
+    const Node nothing;
+    const Place root(nothing);
+    read_map(reader, Place(root, "objective", rest), kObjectiveKeys, draft);
     Draft single{&scene, {}, {}};
-    const Node root;
-    const Place place(Place(root), "objective", term);
+    const Place place(root, "objective", term);
     const std::size_t before = reader.findings.errors();
     if (!term.items.empty()) {
       read_map(reader, place, kTermKeys, single);

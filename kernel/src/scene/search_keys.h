@@ -18,7 +18,17 @@ void read_selection(Reader& reader, const Place& at, Scene& scene);
                                                           const Place& at,
                                                           const Scene& scene);
 
+/// The devices that a name, or a list of them, with * for any part, means; empty, with
+/// a finding, where there are none.
+[[nodiscard]] std::vector<std::string> read_device_names(Reader& reader,
+                                                         const Place& at,
+                                                         const Scene& scene);
+
+/// What an objective withstands. `scene` is the rest of it.
+void read_robust(Reader& reader, const Place& at, const Scene& scene, Robustness& out);
+
 // nullopt where there is nothing to write.
+[[nodiscard]] std::optional<Node> write_robust(const Robustness& robust);
 [[nodiscard]] std::optional<Node> write_variables(const Scene& scene);
 [[nodiscard]] std::optional<Node> write_objective(const Scene& scene);
 [[nodiscard]] std::optional<Node> write_constraints(const Scene& scene);

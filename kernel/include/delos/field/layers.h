@@ -53,6 +53,10 @@ class DELOS_API InformationLayers {
   /// @returns the number of layers that were recomputed (0 where layers are not kept).
   std::size_t update(const System& system);
 
+  /// The layers of the system without one of its devices, bit for bit as fresh ones;
+  /// where layers are kept no device is asked again.
+  [[nodiscard]] InformationLayers without(std::size_t device) const;
+
   /// Bytes that all layers need; kept() tells whether they are held.
   [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] bool kept() const { return kept_; }
@@ -66,6 +70,7 @@ class DELOS_API InformationLayers {
   const LayerBlock& block(std::size_t b, LayerBlock& scratch) const;
 
  private:
+  InformationLayers();
   [[nodiscard]] std::span<const TargetPose> poses_of(std::size_t b) const;
   void fill(std::size_t b, LayerBlock& block) const;
   void fill_all();

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ namespace delos {
 /// ∂J/∂[p, φ]: of its place in the world, 1/metres, and of a small turn exp(φ) about
 /// the world's axes, 1/radians.
 using PoseSlope = Eigen::Matrix<double, 6, 1>;
+
+/// Numbers of a field, or slopes of J with respect to them: metrics × samples.
+using FieldValues = std::vector<std::vector<double>>;
 
 /// Metrics of a system at samples, with soft edges of views and shadows, and the slopes
 /// of any function J of them, by the adjoint: docs/theory.md, section "Derivatives".
@@ -44,20 +48,28 @@ class DELOS_API SoftField {
   ~SoftField();
 
   /// @param width radians, about how wide edges are; 0: hard
-  /// @returns metrics × samples; +∞ where a metric has no finite value
+  /// @param failing devices of the system, by index: what is left where each of them
+  ///                alone fails is worked out too, and no device is asked again for it
+  /// @returns +∞ where a metric has no finite value
   /// @pre the metrics are of the system's layout
-  const std::vector<std::vector<double>>& evaluate(const System& system, double width);
+  const FieldValues& evaluate(const System& system, double width,
+                              std::span<const std::size_t> failing = {});
 
-  /// Take over ∂J/∂value at the field last evaluated, metrics × samples.
-  void adjoin(const std::vector<std::vector<double>>& slopes);
+  /// The field last evaluated where each device that was `failing` fails: S − S_device.
+  [[nodiscard]] std::span<const FieldValues> failure_values() const;
+
+  /// Take over ∂J/∂value at the field last evaluated.
+  /// @param of_failures with respect to failure_values(); empty: J doesn't depend on
+  ///                    them
+  void adjoin(const FieldValues& slopes, std::span<const FieldValues> of_failures = {});
 
   /// Of all devices. Exact where they have observe_smoothly(), else by central
   /// differences of each device's own information.
   [[nodiscard]] std::vector<PoseSlope> pose_slopes() const;
 
-  /// Σ ⟨∂J/∂S, S_device⟩ over all poses, of a device of the system as it is or changed:
-  /// its differences in anything that only this device depends on are those of J, to
-  /// first order.
+  /// Σ ⟨∂J/∂S_device, S_device⟩ over all poses, of a device of the system as it is or
+  /// changed: its differences in anything that only this device depends on are those of
+  /// J, to first order.
   [[nodiscard]] double contraction(std::size_t index, const PlacedDevice& device) const;
 
  private:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "delos/device/parameters.h"
+#include "delos/scene/robustness.h"
 
 namespace delos {
 
@@ -67,6 +68,7 @@ struct Objective {
   /// coordinate of the pose: what no device sees has a finite cost by it. 0: a hundred
   /// times as bad as what one device tells, typically, in the scene as it stands.
   double guess = 0;
+  Robustness robust;
   friend bool operator==(const Objective&, const Objective&) = default;
 };
 

@@ -25,7 +25,8 @@ struct VariableAnswer {
 /// What one device means to a design.
 struct DeviceAnswer {
   std::string name;
-  double without = 0;  ///< relative rise of the objective where it alone fails
+  /// Relative rise of the objective, without what it withstands, where it alone fails.
+  double without = 0;
 };
 
 /// What a design depends on.

@@ -83,6 +83,8 @@ struct ConstraintReport {
 struct OptimizeResult {
   std::vector<double> initial_x, best_x;  ///< in the unit cube
   Score initial, best;
+  /// The objectives without what they withstand: see Problem::plain_objective().
+  double plain_initial = 0, plain_best = 0;
   Field initial_field, best_field;  ///< of the scene's metric
   Scene initial_scene;              ///< as it was given
   Scene scene;                      ///< with the best values
@@ -106,8 +108,8 @@ struct OptimizeResult {
 /// With slopes: from each start, SLSQP (CCSA for many variables) over edges that are
 /// 0.3, 0.1, 0.03, 0.01 and 0 rad wide; every stage's end is scored hard, and after the
 /// third the worse half of the starts is given up. Without: BOBYQA, or COBYLA where
-/// there are limits. Starts: the scene as it stands, then random ones, half of them near
-/// it, all by the seed. The best is scored on all samples.
+/// there are limits. Starts: the scene as it stands, then random ones, half of them
+/// near it, all by the seed. The best is scored on all samples.
 /// @throws std::invalid_argument one sentence: nothing to change, a method that doesn't
 ///         fit, or constraints that contradict each other, by name
 [[nodiscard]] OptimizeResult optimize(const Scene& scene, PluginRegistry& plugins,

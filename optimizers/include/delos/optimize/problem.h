@@ -38,8 +38,8 @@ struct Limit {
 /// one a thread.
 class Problem {
  public:
-  /// @throws std::invalid_argument one sentence: nothing to change, or what can't be
-  ///         solved
+  /// @throws std::invalid_argument one sentence: nothing to change, what can't be
+  ///         solved, or a single device that may fail
   Problem(const Scene& scene, PluginRegistry& plugins, const ProblemOptions& options);
   ~Problem();
   Problem(const Problem&) = delete;
@@ -71,7 +71,10 @@ class Problem {
   /// The slacks of the first limits, those that places and numbers alone decide; cheap.
   [[nodiscard]] std::vector<double> place_slacks(std::span<const double> x);
 
-  /// The objective where one device fails, hard.
+  /// The objective, hard, where nothing fails and all is where it should be: what a
+  /// robust objective is without `robust`.
+  [[nodiscard]] double plain_objective(std::span<const double> x);
+  /// The same where one device fails.
   /// @pre there are two devices or more
   [[nodiscard]] double objective_without(std::span<const double> x, std::size_t device);
 

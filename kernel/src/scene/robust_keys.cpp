@@ -1,0 +1,126 @@
+#include <limits>
+
+#include "scene/node_text.h"
+#include "scene/search_keys.h"
+#include "scene/words.h"
+
+namespace delos {
+namespace {
+
+using Written = std::optional<Node>;
+
+constexpr std::pair<const char*, DrawRule> kDrawRuleWords[] = {
+    {"mean", DrawRule::mean}, {"worst", DrawRule::worst}};
+
+/// What is withstood, while it is read.
+struct Draft {
+  const Scene* scene = nullptr;
+  Robustness robust;
+};
+
+void read_failures(Reader& reader, const Place& at, Draft& out) {
+  out.robust.failures = read_device_names(reader, at, *out.scene);
+  if (out.scene->devices.size() == 1)
+    reader.error(at, "of a single device none may fail; nothing would be left");
+}
+
+void read_deviation(Reader& reader, const Place& at, const char* unit, double& out) {
+  const auto value = reader.number(at, unit);
+  if (!value) return;
+  if (!(*value > 0)) reader.error(at, "must be above 0; leave out what isn't drawn");
+  out = *value;
+}
+
+Written deviation(double value) {
+  if (value == 0) return std::nullopt;
+  return to_node(value);
+}
+
+constexpr std::array<Key<Robustness>, 2> kMountingKeys = {{
+    {"at", Need::optional, "standard deviation of places along each axis, metres",
+     [](Reader& r, const Place& p, Robustness& out) {
+       read_deviation(r, p, "m", out.place);
+     },
+     [](const Robustness& d) { return deviation(d.place); }},
+    {"angle", Need::optional, "standard deviation of a turn about each axis, radians",
+     [](Reader& r, const Place& p, Robustness& out) {
+       read_deviation(r, p, "rad", out.angle);
+     },
+     [](const Robustness& d) { return deviation(d.angle); }},
+}};
+
+void read_mounting(Reader& reader, const Place& at, Draft& out) {
+  if (read_map(reader, at, kMountingKeys, out.robust) && at.node().items.empty())
+    reader.error(at, "draws nothing; give at, angle or both");
+}
+
+constexpr std::array<Key<Draft>, 6> kRobustKeys = {{
+    {"failures", Need::optional,
+     "devices of which any one may fail; * is any part of a name", read_failures,
+     [](const Draft& d) -> Written {
+       if (d.robust.failures.empty()) return std::nullopt;
+       return names_node(d.robust.failures);
+     }},
+    {"mounting", Need::optional, "how far devices are off where they should be",
+     read_mounting,
+     [](const Draft& d) -> Written {
+       if (d.robust.place == 0 && d.robust.angle == 0) return std::nullopt;
+       return write_map(kMountingKeys, d.robust);
+     }},
+    {"noise", Need::optional,
+     "relative standard deviation of devices' noise: of its logarithm",
+     [](Reader& r, const Place& p, Draft& d) {
+       read_deviation(r, p, "1", d.robust.noise);
+     },
+     [](const Draft& d) { return deviation(d.robust.noise); }},
+    {"draws", Need::optional, "how many draws of mounting and noise",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (const auto n = r.integer(p, 1, 10000)) d.robust.draws = *n;
+     },
+     [](const Draft& d) -> Written {
+       if (!d.robust.is_drawn()) return std::nullopt;
+       return to_node(d.robust.draws);
+     }},
+    {"seed", Need::optional, "of the draws",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (const auto n = r.integer(p, 0, std::numeric_limits<int>::max()))
+         d.robust.seed = *n;
+     },
+     [](const Draft& d) -> Written {
+       if (!d.robust.is_drawn()) return std::nullopt;
+       return to_node(d.robust.seed);
+     }},
+    {"combine", Need::optional, "mean or worst of the draws",
+     [](Reader& r, const Place& p, Draft& d) {
+       if (const auto rule = r.choice(p, kDrawRuleWords)) d.robust.combine = *rule;
+     },
+     [](const Draft& d) -> Written {
+       if (!d.robust.is_drawn()) return std::nullopt;
+       return to_node(word_of(kDrawRuleWords, d.robust.combine));
+     }},
+}};
+
+}  // namespace
+
+void read_robust(Reader& reader, const Place& at, const Scene& scene, Robustness& out) {
+  const std::size_t before = reader.findings.errors();
+  Draft draft{&scene, {}};
+  if (!read_map(reader, at, kRobustKeys, draft)) return;
+  out = std::move(draft.robust);
+  if (reader.findings.errors() != before) return;
+  if (!out.is_drawn()) {
+    for (const char* key : {"draws", "seed", "combine"})
+      if (const Node* node = at.node().find(key))
+        reader.error_within(at, node->mark, key,
+                            "nothing is drawn; give mounting or noise");
+  }
+  if (at.node().items.empty())
+    reader.error(at, "withstands nothing; give failures, mounting or noise");
+}
+
+std::optional<Node> write_robust(const Robustness& robust) {
+  if (robust == Robustness{}) return std::nullopt;
+  return write_map(kRobustKeys, Draft{nullptr, robust});
+}
+
+}  // namespace delos
