@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "delos/field/adaptive.h"
 #include "guess.h"
 #include "problem_state.h"
 #include "reduce.h"
@@ -80,6 +81,28 @@ void Problem::State::build(std::span<const double> x) {
   last = build_system(scene(), plugins, last.devices.empty() ? nullptr : &last);
 }
 
+/// The field of the first term's metric over a box at the design of which the octree is
+/// asked for, with about as many nodes as samples are.
+Field Problem::State::octree(AdaptiveSampling box) {
+  build(options.octree_of);
+  System system = nominal.system;
+  if (scene().objective.guess > 0) add_guess(system, scene().objective.guess);
+  const auto& terms = scene().objective.terms;
+  const std::string name = terms.empty() ? "" : terms.front().metric;
+  const auto metric = std::get<Metric>(
+      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+  if (options.samples > 0) {
+    const auto most =
+        static_cast<std::int64_t>(options.samples * scene().orientations.rpy.size());
+    box.evaluations = std::min(box.evaluations.value_or(most), most);
+  }
+  box.seconds.reset();  // the same octree at any speed
+  AdaptiveOptions adaptive;
+  adaptive.field.threads = options.threads;
+  adaptive.held_back = 0;
+  return evaluate_adaptive(system, box, scene().orientations, metric, adaptive).field();
+}
+
 /// Try each variable once.
 void Problem::State::find_touched() {
   const System& system = nominal.system;
@@ -146,7 +169,11 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
     throw std::invalid_argument(
         "the scene has no variables; say what may change, for example\n"
         "variables:\n  - {path: \"devices.*.at.z\", lower: 0.5, upper: 3}");
-  s.samples = search_samples(scene, options.samples);
+  s.samples = search_samples(
+      scene, options.samples,
+      options.octree_of.empty() ? Octrees() : [&s](const AdaptiveSampling& box) {
+        return s.octree(box);
+      });
   s.build(s.design.start());
   s.guess =
       scene.objective.guess > 0

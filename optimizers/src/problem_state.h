@@ -77,6 +77,7 @@ struct Problem::State {
   void read_objective();
   void read_limits();
   void read_robust();
+  Field octree(AdaptiveSampling box);
   void find_touched();
   void build(std::span<const double> x);
   void draw();

@@ -53,32 +53,47 @@ std::vector<std::size_t> thinned(std::size_t n, std::size_t most) {
   return chosen;
 }
 
+/// Samples of one set, and how much each counts; no weights: all alike.
+struct SetSamples {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> weights;
+};
+
+SetSamples samples_of(const SampleSet& set, std::size_t most, const Octrees& octrees) {
+  const auto* box = std::get_if<AdaptiveSampling>(&set.shape);
+  if (!box) return {make_samples({set}).points, {}};
+  if (!octrees) return {most > 0 ? spread(*box, most) : grid(*box), {}};
+  Field field = octrees(*box);
+  return {std::move(field.samples.points), std::move(field.weight)};
+}
+
 }  // namespace
 
-SearchSamples search_samples(const Scene& scene, std::size_t most) {
-  std::vector<std::vector<Eigen::Vector3d>> sets;
+SearchSamples search_samples(const Scene& scene, std::size_t most,
+                             const Octrees& octrees) {
+  std::vector<SetSamples> sets;
   std::size_t total = 0;
   for (const SampleSet& set : scene.samples) {
-    if (const auto* box = std::get_if<AdaptiveSampling>(&set.shape))
-      sets.push_back(most > 0 ? spread(*box, most) : grid(*box));
-    else
-      sets.push_back(make_samples({set}).points);
-    total += sets.back().size();
+    sets.push_back(samples_of(set, most, octrees));
+    total += sets.back().points.size();
   }
   SearchSamples out;
   for (std::size_t s = 0; s < sets.size(); ++s) {
-    const std::size_t n = sets[s].size();
-    // A small set keeps some samples beside a large one.
-    const std::size_t share =
-        most > 0 && total > most ? std::max<std::size_t>(n * most / total, 32) : 0;
+    const std::size_t n = sets[s].points.size();
+    const bool even = sets[s].weights.empty();
+    // A small set keeps some samples beside a large one; nodes stay together.
+    const std::size_t share = even && most > 0 && total > most
+                                  ? std::max<std::size_t>(n * most / total, 32)
+                                  : 0;
     const auto chosen = thinned(n, share);
     out.samples.parts.push_back({scene.samples[s].name, out.samples.points.size(),
                                  chosen.size(), ScatteredShape{}});
     for (const std::size_t i : chosen) {
-      out.samples.points.push_back(sets[s][i]);
+      out.samples.points.push_back(sets[s].points[i]);
       out.set.push_back(s);
-      out.multiplicity.push_back(static_cast<double>(n) /
-                                 static_cast<double>(chosen.size()));
+      out.multiplicity.push_back(even ? static_cast<double>(n) /
+                                            static_cast<double>(chosen.size())
+                                      : sets[s].weights[i]);
     }
   }
   return out;

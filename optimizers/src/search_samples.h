@@ -1,8 +1,10 @@
 // The samples that a search looks at.
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "delos/field/field.h"
 #include "delos/sampling/samples.h"
 
 namespace delos {
@@ -15,9 +17,14 @@ struct SearchSamples {
       multiplicity;  ///< one a sample: how many of its set it stands for
 };
 
+/// The field of an octree over a box.
+using Octrees = std::function<Field(const AdaptiveSampling&)>;
+
 /// @param most thin sets evenly to about so many samples; 0: all
-/// Adaptive sets become points spread evenly over their box: `most`, or a fine grid.
-[[nodiscard]] SearchSamples search_samples(const Scene& scene, std::size_t most);
+/// @param octrees adaptive sets become their nodes, each as much as its volume; null:
+///                points spread evenly over their box, `most`, or a fine grid
+[[nodiscard]] SearchSamples search_samples(const Scene& scene, std::size_t most,
+                                           const Octrees& octrees = {});
 
 /// Weights of a term, one a sample, which sum to 1; 0 where `inside` a solid.
 [[nodiscard]] std::vector<double> term_weights(

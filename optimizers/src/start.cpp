@@ -20,6 +20,31 @@ double violation(const Score& score, const std::vector<Limit>& limits) {
 
 }  // namespace
 
+Workplace::Workplace(const Scene& scene, PluginRegistry& plugins,
+                     const ProblemOptions& options)
+    : problem(scene, plugins, options),
+      scene_(scene),
+      plugins_(plugins),
+      options_(options),
+      coarse_options_(options),
+      adaptive_(std::any_of(
+          scene.samples.begin(), scene.samples.end(), [](const SampleSet& set) {
+            return std::holds_alternative<AdaptiveSampling>(set.shape);
+          })) {
+  coarse_options_.samples = std::max<std::size_t>(options.samples / 4, 64);
+  if (!adaptive_) coarse_.emplace(scene, plugins, coarse_options_);
+}
+
+Problem& Workplace::of_stage(double width, const std::vector<double>& from) {
+  const bool coarse = width >= kCoarseWidth;
+  if (!adaptive_) return coarse ? *coarse_ : problem;
+  if (!std::isfinite(problem.score(from).objective)) return problem;  // has no field
+  ProblemOptions options = coarse ? coarse_options_ : options_;
+  options.octree_of = from;
+  frozen_.emplace(scene_, plugins_, options);
+  return *frozen_;
+}
+
 bool better(const Score& a, const Score& b, const std::vector<Limit>& limits) {
   if (!std::isfinite(a.objective)) return false;
   const double va = violation(a, limits), vb = violation(b, limits);
@@ -51,8 +76,7 @@ EvaluationRecord Start::soft(std::span<const double> x, double width) {
     r.width = width;
     r.slope.resize(x.size());
     r.slopes.resize(limits().size() * x.size());
-    Problem& problem = width >= kCoarseWidth ? at_->coarse : at_->problem;
-    r.score = problem.score_with_slopes(x, width, r.slope.data(), r.slopes.data());
+    r.score = stage_->score_with_slopes(x, width, r.slope.data(), r.slopes.data());
   });
 }
 
@@ -86,6 +110,7 @@ void Start::finish(Workplace& at) {
 void Start::run_stages(int first, int end) {
   const int each = plan_.per_start / static_cast<int>(std::size(kWidths));
   for (int stage = first; stage < end && !cancelled(); ++stage) {
+    stage_ = &at_->of_stage(kWidths[stage], x_);
     x_ = run_stage(x_, kWidths[stage], each);
     // Uninterrupted, the stage goes on: its next evaluation is another one.
     take(x_, cancelled() ? at_->problem.score(x_) : hard(x_));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,14 +69,26 @@ class Shared {
 inline constexpr double kCoarseWidth = 0.1;
 
 /// A problem, for one thread at a time.
-struct Workplace {
-  Workplace(const Scene& scene, PluginRegistry& plugins, const ProblemOptions& options)
-      : problem(scene, plugins, options),
-        coarse(scene, plugins,
-               {std::max<std::size_t>(options.samples / 4, 64), options.threads}) {}
+class Workplace {
+ public:
+  /// What is passed is kept by reference, but for the options.
+  Workplace(const Scene& scene, PluginRegistry& plugins, const ProblemOptions& options);
 
+  /// What hard scores are of, the same for all starts and stages.
   Problem problem;
-  Problem coarse;  ///< on fewer samples, for wide edges
+
+  /// What a stage minimises: on fewer samples while edges are wide. Adaptive sets are
+  /// sampled by the octree of the design that the stage begins with, until the next
+  /// one.
+  [[nodiscard]] Problem& of_stage(double width, const std::vector<double>& from);
+
+ private:
+  const Scene& scene_;
+  PluginRegistry& plugins_;
+  ProblemOptions options_, coarse_options_;
+  bool adaptive_;
+  std::optional<Problem> coarse_;  // where nothing is adaptive
+  std::optional<Problem> frozen_;
 };
 
 /// One start of a search. What is passed is kept by reference.
@@ -115,6 +128,7 @@ class Start {
   }
 
   Workplace* at_ = nullptr;
+  Problem* stage_ = nullptr;  // what soft() asks
   const OptimizeOptions& options_;
   const Plan& plan_;
   int index_;

@@ -19,6 +19,9 @@ struct ProblemOptions {
   /// ones replaced by points spread over their box. 0: all, and a fine grid of those.
   std::size_t samples = 1500;
   int threads = 0;
+  /// A design in the unit cube: adaptive sets become the nodes of the octree that its
+  /// field asks for, about `samples` of them, each with its volume. Empty: as above.
+  std::vector<double> octree_of = {};
 };
 
 /// Objective and constraints at one point.
