@@ -61,9 +61,9 @@ TEST(CoverSearch, EndsWhereItIsAskedTo) {
   EXPECT_EQ(solve_cover(problem, options).stop, CoverStop::budget);
 }
 
-// 30 candidates that see 10 samples each and none twice, hidden among 3,000 that see 10
-// at random. No cover is smaller, since 300 samples want at least 300/10; a short
-// search doesn't find it. The bound is 30 and may not be rounded beyond.
+// 100 candidates that see 3 samples each and none twice, hidden among 3,000 that see 3 at
+// random. No cover is smaller, since 300 samples want at least 300/3; a short search
+// doesn't find it. The bound is 100 and may not be rounded beyond.
 TEST(CoverSearch, BoundsAHiddenPartitionExactly) {
   CoverProblem p;
   p.samples = 300;
