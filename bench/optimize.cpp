@@ -168,8 +168,8 @@ void print(const Run& run, const Run& own, double best, double cost) {
     if (at) {
       const double fields =
           static_cast<double>(at->evaluations) * (run.gradients > 0 ? cost : 1);
-      std::printf("    within %2d %% after %7.2f s, %6.0f fields: %.1f times\n", percent,
-                  at->seconds, fields, at->seconds / seconds);
+      std::printf("    within %2d %% after %7.2f s, %6.0f fields: %.1f times\n",
+                  percent, at->seconds, fields, at->seconds / seconds);
     } else {
       std::printf("    never within %2d %%: > %.1f times\n", percent,
                   run.seconds / seconds);
@@ -179,10 +179,11 @@ void print(const Run& run, const Run& own, double best, double cost) {
   for (std::size_t i = 0; i < run.dense.size(); ++i) {
     if (run.dense[i] > best_of(run)) continue;
     if (const auto* first = reaching(own, run.dense[i]))
-      std::printf("    its best after %.2f s, the default search's after %.2f s: "
-                  "%.1f times\n",
-                  run.improvements[i].seconds, first->seconds,
-                  run.improvements[i].seconds / first->seconds);
+      std::printf(
+          "    its best after %.2f s, the default search's after %.2f s: "
+          "%.1f times\n",
+          run.improvements[i].seconds, first->seconds,
+          run.improvements[i].seconds / first->seconds);
     break;
   }
   std::fflush(stdout);

@@ -88,12 +88,10 @@ class Rounds {
     const double enough =
         std::max(bound_, options_.stop_at.value_or(-kInfinity)) - core_.chosen_cost;
     std::vector<std::function<void()>> tasks;
-    // What takes longest begins first: annealing has as much as bound and walk
-    // together.
-    if (annealing_) tasks.push_back([&] { annealing_->run(2 * work_, limit, enough); });
     tasks.push_back([&] { raise_bound(limit); });
     for (CoverSearch& walk : walks_)
       tasks.push_back([&] { walk.run(work_, limit, enough); });
+    if (annealing_) tasks.push_back([&] { annealing_->run(work_, limit, enough); });
     run_all(tasks, threads);
     work_ = std::min(2 * work_, kMostWork);
     merge();
