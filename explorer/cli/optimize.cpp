@@ -81,8 +81,7 @@ int run(OptimizeCommand& command) {
   std::function<Answers(const OptimizeResult&)> explain;
   if (command.explain) {
     explain = [&](const OptimizeResult& found) {
-      Problem problem(found.scene, plugins,
-                      {command.search.samples, command.search.threads});
+      Problem problem(found.scene, plugins, {kAnswerSamples, command.search.threads});
       constexpr double kLoss = 0.05;
       return answers(problem, problem.design().start(), kLoss, command.search.cancel);
     };

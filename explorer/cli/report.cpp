@@ -210,7 +210,7 @@ void add_answers(report::StudyReport& r, const ReportCommand& command,
   if (const auto* problem = std::get_if<std::string>(&loss))
     throw Failure{kUsage, "--loss '" + command.loss + "': " + *problem};
   if (command.brief) return;
-  Problem problem(r.after, plugins, {r.summary.plan.samples, command.options.threads});
+  Problem problem(r.after, plugins, {kAnswerSamples, command.options.threads});
   Progress progress(r.summary.scene + ", what the design depends on");
   r.answers = answers(
       problem, problem.design().start(), std::get<double>(loss), &interrupt.requested(),

@@ -63,6 +63,25 @@ TEST(Optimize, TellsWhatChanged) {
   EXPECT_NE(done.out.find("budget: kept, with "), std::string::npos) << done.out;
 }
 
+// What a failure costs is told on all samples, however few the search looked at: as an
+// objective that withstands that failure is.
+TEST(Optimize, ExplainsFailuresOnAllSamples) {
+  const std::vector<std::string> words = {
+      "optimize",      scene("09-camera-room"),
+      "--set",         "variables=[{path: devices.west.aim.x, lower: 2, upper: 4}]",
+      "--evaluations", "1",
+      "--starts",      "1",
+      "--json"};
+  auto explained = words;
+  explained.insert(explained.end(), {"--samples", "40", "--explain"});
+  const double rise = run(explained).json()["answers"]["without"]["east"];
+  auto robust = words;
+  robust.insert(robust.end(), {"--set", "objective.robust.failures=east"});
+  const Json worst = run(robust).json();
+  EXPECT_GT(rise, 0.1);
+  EXPECT_NEAR(worst["best"], worst["plain_best"].get<double>() * (1 + rise), 1e-9);
+}
+
 TEST(Optimize, RefusesAWordOfTheUserLineByLine) {
   const Finished done =
       run({"optimize", scene("01-acoustic"), "--set",

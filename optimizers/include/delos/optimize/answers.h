@@ -36,6 +36,10 @@ struct Answers {
   std::vector<DeviceAnswer> devices;  ///< the one that is missed most stands first
 };
 
+/// Samples on which a problem should be asked, at most. A failure is often told by a
+/// few that it leaves blind, which a search's thinner samples may miss.
+inline constexpr std::size_t kAnswerSamples = 10'000;
+
 using AnswerProgress = std::function<void(std::size_t done, std::size_t of)>;
 
 /// @param x the design, in the unit cube
