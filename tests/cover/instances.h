@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "delos/optimize/cover.h"
 
@@ -38,6 +41,30 @@ inline CoverProblem random_cover(const Variety& v, std::uint64_t seed) {
     }
   }
   for (int i = 0; i < v.samples; ++i) p.demand.push_back(1 + below(v.most_demand));
+  return p;
+}
+
+/// Candidates that see `each` samples and none twice, so that they are the fewest,
+/// behind `decoys` others that see as many at random.
+inline CoverProblem hidden_partition(int samples, int each, int decoys,
+                                     std::uint64_t seed) {
+  CoverProblem p;
+  p.samples = samples;
+  p.demand.assign(samples, 1);
+  std::mt19937_64 random(seed);
+  std::vector<int> order(samples);
+  std::iota(order.begin(), order.end(), 0);
+  for (int j = 0; j < decoys + samples / each; ++j) {
+    const int first = j < decoys ? 0 : each * (j - decoys);
+    // Fisher and Yates, since std::shuffle's order differs between libraries.
+    for (int i = samples - 1; i > 0 && j <= decoys; --i)
+      std::swap(order[i], order[random() % (i + 1)]);
+    std::vector<int> seen(order.begin() + first, order.begin() + first + each);
+    std::sort(seen.begin(), seen.end());
+    p.seen.insert(p.seen.end(), seen.begin(), seen.end());
+    p.start.push_back(static_cast<std::int64_t>(p.seen.size()));
+    p.cost.push_back(1);
+  }
   return p;
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <string>
 
@@ -130,26 +129,10 @@ TEST(CoverSelection, KnowsGainsLossesAndExchanges) {
   }
 }
 
-/// 12 candidates that see 10 samples each and none twice, among `decoys` that see 10 at
-/// random: no other 12 cover all 120, but by a chance of far below 1e-9.
+/// A cover of 12 among `decoys`: no other 12 cover all 120 samples, but by a chance of
+/// far below 1e-9.
 CoverProblem planted(int decoys, std::uint64_t seed) {
-  CoverProblem p;
-  p.samples = 120;
-  p.demand.assign(p.samples, 1);
-  std::mt19937_64 random(seed);
-  std::vector<int> samples(p.samples);
-  std::iota(samples.begin(), samples.end(), 0);
-  for (int j = 0; j < decoys + 12; ++j) {
-    const int first = j < decoys ? 0 : 10 * (j - decoys);
-    for (int i = 119; i > 0 && j <= decoys; --i)
-      std::swap(samples[i], samples[random() % (i + 1)]);
-    std::vector<int> seen(samples.begin() + first, samples.begin() + first + 10);
-    std::sort(seen.begin(), seen.end());
-    p.seen.insert(p.seen.end(), seen.begin(), seen.end());
-    p.start.push_back(static_cast<std::int64_t>(p.seen.size()));
-    p.cost.push_back(1);
-  }
-  return p;
+  return hidden_partition(120, 10, decoys, seed);
 }
 
 template <typename Search>

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
-#include <random>
-#include <utility>
 
 #include "cover/instances.h"
 #include "selection/cover_selection.h"
@@ -61,30 +58,13 @@ TEST(CoverSearch, EndsWhereItIsAskedTo) {
   EXPECT_EQ(solve_cover(problem, options).stop, CoverStop::budget);
 }
 
-// 100 candidates that see 3 samples each and none twice, hidden among 3,000 that see 3 at
-// random. No cover is smaller, since 300 samples want at least 300/3; a short search
+// 100 candidates that see 3 samples each and none twice, hidden among 3,000 that see 3
+// at random. No cover is smaller, since 300 samples want at least 300/3; a short search
 // doesn't find it. The bound is 100 and may not be rounded beyond.
 TEST(CoverSearch, BoundsAHiddenPartitionExactly) {
-  CoverProblem p;
-  p.samples = 300;
-  p.demand.assign(p.samples, 1);
-  std::mt19937_64 random(1);
-  std::vector<int> samples(p.samples);
-  std::iota(samples.begin(), samples.end(), 0);
-  for (int j = 0; j < 3100; ++j) {
-    const int first = j < 3000 ? 0 : 3 * (j - 3000);
-    // Fisher and Yates, since std::shuffle's order differs between libraries.
-    for (int i = 299; i > 0 && j <= 3000; --i)
-      std::swap(samples[i], samples[random() % (i + 1)]);
-    std::vector<int> seen(samples.begin() + first, samples.begin() + first + 3);
-    std::sort(seen.begin(), seen.end());
-    p.seen.insert(p.seen.end(), seen.begin(), seen.end());
-    p.start.push_back(static_cast<std::int64_t>(p.seen.size()));
-    p.cost.push_back(1);
-  }
   CoverOptions options;
   options.rounds = 1;
-  const CoverAnswer answer = solve_cover(p, options);
+  const CoverAnswer answer = solve_cover(hidden_partition(300, 3, 3000, 1), options);
   EXPECT_EQ(answer.lower_bound, 100);
   EXPECT_GT(answer.cost, 101);
 }
