@@ -150,7 +150,8 @@ void print_search(std::ostream& out, const OptimizeResult& result,
     const std::string of = constraint_unit(before.constraints[i], before);
     out << "  " << c.name << ": "
         << (c.satisfied ? "kept, with " + format_quantity(c.slack, of) + " to spare"
-                        : "NOT kept, by " + format_quantity(-c.slack, of))
+            : std::isfinite(c.slack) ? "NOT kept, by " + format_quantity(-c.slack, of)
+                                     : "NOT kept: a sample is blind")
         << "\n";
   }
   for (const VariableEntry& v : after.variables) {

@@ -12,14 +12,14 @@ namespace {
 
 /// What must be seen: samples outside solids, each in every orientation.
 std::vector<TargetPose> poses_to_see(const Scene& scene, const System& system) {
-  const SearchSamples samples = search_samples(scene, 0);
+  const Samples samples = all_samples(scene);
   const std::vector<unsigned char> inside =
-      samples_inside_solids(system, samples.samples, scene.orientations);
+      samples_inside_solids(system, samples, scene.orientations);
   std::vector<TargetPose> poses;
-  for (std::size_t s = 0; s < samples.samples.points.size(); ++s) {
+  for (std::size_t s = 0; s < samples.points.size(); ++s) {
     if (!inside.empty() && inside[s]) continue;
     for (const Eigen::Vector3d& rpy : scene.orientations.rpy)
-      poses.push_back({rotation_from_rpy(rpy), samples.samples.points[s]});
+      poses.push_back({rotation_from_rpy(rpy), samples.points[s]});
   }
   return poses;
 }

@@ -15,10 +15,8 @@ constexpr double kAlike = 0.05;
 constexpr double kSettled = 0.25, kFree = 0.6;
 
 Eigen::Vector3d middle_of(const Scene& scene) {
-  constexpr std::size_t kEnough = 1000;
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : search_samples(scene, kEnough).samples.points)
-    box.extend(p);
+  for (const Eigen::Vector3d& p : all_samples(scene).points) box.extend(p);
   return box.center();
 }
 

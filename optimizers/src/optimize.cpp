@@ -27,6 +27,20 @@ constexpr int kStageEvaluations = 60;
 /// whose steps cost n³.
 constexpr std::size_t kManyVariables = 30;
 
+/// Whether a single sample can spoil a design, so that most starts end in vain.
+bool worst_decides(const Scene& scene) {
+  const auto& terms = scene.objective.terms;
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const ObjectiveTerm& term) {
+                       return term.reduction == Reduction::maximum ||
+                              term.reduction == Reduction::soft_max;
+                     }) ||
+         std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                     [](const ConstraintEntry& constraint) {
+                       return std::holds_alternative<KeepMetric>(constraint.what);
+                     });
+}
+
 Plan plan_of(const OptimizeOptions& options, Problem& problem) {
   Plan plan;
   const std::size_t n = problem.design().size();
@@ -47,7 +61,10 @@ Plan plan_of(const OptimizeOptions& options, Problem& problem) {
                                 "; use cobyla, bobyqa, crs2 or isres");
   if (plan.algorithm == "bobyqa" && n < 2)
     throw std::invalid_argument("bobyqa needs two variables or more; use cobyla");
-  plan.starts = options.starts > 0 ? options.starts : plan.traits.global ? 1 : 4;
+  plan.starts = options.starts > 0                        ? options.starts
+                : plan.traits.global                      ? 1
+                : worst_decides(problem.design().scene()) ? 16
+                                                          : 4;
   const int whole = static_cast<int>(std::size(kWidths)) * kStageEvaluations;
   const int by_size = 50 * static_cast<int>(n) + 200;
   plan.per_start = options.evaluations > 0

@@ -72,7 +72,7 @@ void Problem::State::read_objective() {
 void Problem::State::read_limits() {
   limits = geometry.limits();
   for (const MetricLimit& limit : metric_limits)
-    limits.push_back({limit.constraint, std::max(std::abs(limit.limit), 1e-12)});
+    limits.push_back({limit.constraint, limit.unit()});
 }
 
 void Problem::State::build(std::span<const double> x) {
@@ -127,8 +127,11 @@ void Problem::State::find_touched() {
   design.set(x);
 }
 
-double Problem::State::objective(const FieldValues& values, bool is_soft,
+double Problem::State::objective(const FieldValues& values, std::optional<double> width,
                                  FieldValues* slopes) const {
+  // Sharp where edges are: a trial's choice, from 0.07 to 3 times as much.
+  std::optional<double> blur;
+  if (width) blur = std::min(1.0, 2 * *width);
   double sum = 0;
   std::vector<double> costs, of_term;
   for (const Term& t : terms) {
@@ -139,7 +142,7 @@ double Problem::State::objective(const FieldValues& values, bool is_soft,
     for (double& c : costs) c = sign * (std::isfinite(c) ? c : blind);
     of_term.resize(slopes ? costs.size() : 0);
     sum += t.term.weight *
-           reduce(t.term, costs, t.weights, is_soft, slopes ? of_term.data() : nullptr);
+           reduce(t.term, costs, t.weights, blur, slopes ? of_term.data() : nullptr);
     for (std::size_t i = 0; i < of_term.size(); ++i) {
       if (std::isfinite(values[t.metric][i]))
         (*slopes)[t.metric][i] += t.term.weight * sign * of_term[i];
@@ -148,15 +151,13 @@ double Problem::State::objective(const FieldValues& values, bool is_soft,
   return sum;
 }
 
-void Problem::State::metric_slacks(const FieldValues& values, bool is_soft,
-                                   double* out) const {
+void Problem::State::metric_slacks(const FieldValues& values, double* out) const {
   for (const MetricLimit& limit : metric_limits) {
     double worst = -kInfinity;
     for (const std::size_t i : limit.samples) {
       const double value = values[limit.metric][i];
-      worst = std::max(worst, std::isfinite(value) ? limit.sign * value : kBlindCost);
+      worst = std::max(worst, std::isfinite(value) ? limit.sign * value : kInfinity);
     }
-    if (is_soft) worst = soft_worst(limit, values[limit.metric], nullptr);
     *out++ = limit.sign * limit.limit - worst;
   }
 }
@@ -221,7 +222,7 @@ Score Problem::score(std::span<const double> x) {
   s.geometry.slacks(s.scene(), score.slacks.data());
   // What a guess makes finite isn't kept.
   if (!s.metric_limits.empty())
-    s.metric_slacks(s.hard_values(s.nominal, false), false,
+    s.metric_slacks(s.hard_values(s.nominal, false),
                     score.slacks.data() + s.geometry.limits().size());
   return score;
 }
@@ -241,13 +242,13 @@ std::vector<double> Problem::place_slacks(std::span<const double> x) {
 double Problem::plain_objective(std::span<const double> x) {
   State& s = *state_;
   s.build(x);
-  return s.objective(s.hard_values(s.nominal, true), false, nullptr);
+  return s.objective(s.hard_values(s.nominal, true), {}, nullptr);
 }
 
 double Problem::objective_without(std::span<const double> x, std::size_t device) {
   State& s = *state_;
   s.build(x);
-  return s.objective(s.hard_values(s.nominal, true, device), false, nullptr);
+  return s.objective(s.hard_values(s.nominal, true, device), {}, nullptr);
 }
 
 Field Problem::field(std::span<const double> x) {
@@ -256,7 +257,7 @@ Field Problem::field(std::span<const double> x) {
   const auto metric =
       std::get<Metric>(parse_metric(s.scene().metric, s.scene().motion.layout));
   Field field =
-      evaluate_field(s.nominal.system, s.samples.samples, s.scene().orientations,
+      evaluate_field(s.nominal.system, all_samples(s.scene()), s.scene().orientations,
                      metric, {.threads = s.options.threads});
   field.scene = s.scene().name;
   return field;

@@ -11,9 +11,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Steps of differences, in the unit cube.
 constexpr double kPoseStep = 1e-6;
 constexpr double kLayerStep = 1e-5;
-/// s of soft_worst().
-constexpr double kWorstSharpness = 60;
-
 /// R_to R_fromᵀ = exp([φ]×) for a small φ.
 Eigen::Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
   const Eigen::Matrix3d turn = to * from.transpose();
@@ -24,20 +21,35 @@ Eigen::Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d&
 
 }  // namespace
 
-double soft_worst(const MetricLimit& limit, const std::vector<double>& values,
-                  double* slopes) {
+// With the miss m = (v − limit)/|limit| of each sample, as far as it is less than 0,
+// and log(1 + m) beyond, which keeps a blind sample from hiding how others fare:
+//
+//   φ ≈ (1/s) log Σ exp(s φ_i)/n,   s = 1/width
+//
+// A mean leads out of blindness that a worst sample alone doesn't feel. At last the sum
+// isn't divided, since what it keeps is kept.
+double soft_miss(const MetricLimit& limit, const std::vector<double>& values,
+                 double width, double* slopes) {
+  constexpr double kSharpest = 600;
+  const double s = width > 0 ? std::min(1 / width, kSharpest) : kSharpest;
+  const auto miss = [&](std::size_t i) {
+    return limit.sign * (values[i] - limit.limit) / limit.unit();
+  };
+  const auto compressed = [](double m) { return m > 0 ? std::log1p(m) : m; };
   double worst = -kInfinity;
   for (const std::size_t i : limit.samples)
-    worst = std::max(worst, limit.sign * values[i]);
-  const double scale = std::abs(limit.limit) / kWorstSharpness;
+    worst = std::max(worst, compressed(miss(i)));
   double sum = 0;
   for (const std::size_t i : limit.samples)
-    sum += std::exp((limit.sign * values[i] - worst) / scale);
-  if (slopes) {
-    for (const std::size_t i : limit.samples)
-      slopes[i] = limit.sign * std::exp((limit.sign * values[i] - worst) / scale) / sum;
+    sum += std::exp(s * (compressed(miss(i)) - worst));
+  for (const std::size_t i : limit.samples) {
+    if (!slopes) break;
+    const double m = miss(i);
+    slopes[i] = limit.sign / limit.unit() / (1 + std::max(m, 0.0)) *
+                std::exp(s * (compressed(m) - worst)) / sum;
   }
-  return worst + scale * std::log(sum);
+  const double n = width > 0 ? static_cast<double>(limit.samples.size()) : 1;
+  return worst + std::log(sum / n) / s;
 }
 
 /// @param[out] slope of the objective, or null
@@ -53,7 +65,9 @@ void Problem::State::soft_values(std::span<const double> x, double width, Score&
   geometry.slacks(scene(), out.slacks.data());
   if (metric_limits.empty()) return;
   if (!drawn.empty()) values = soft->evaluate(nominal.system, width);
-  metric_slacks(values, true, out.slacks.data() + geometry.limits().size());
+  double* slack = out.slacks.data() + geometry.limits().size();
+  for (const MetricLimit& limit : metric_limits)
+    *slack++ = -limit.unit() * soft_miss(limit, values[limit.metric], width, nullptr);
 }
 
 Score Problem::soft_score(std::span<const double> x, double width) {
@@ -137,8 +151,8 @@ Score Problem::score_with_slopes(std::span<const double> x, double width, double
   for (std::size_t k = 0; k < s.metric_limits.size(); ++k) {
     const MetricLimit& limit = s.metric_limits[k];
     FieldValues of_values(s.metrics.size(), std::vector<double>(s.samples.set.size()));
-    (void)soft_worst(limit, values[limit.metric], of_values[limit.metric].data());
-    for (double& w : of_values[limit.metric]) w = -w;
+    (void)soft_miss(limit, values[limit.metric], width, of_values[limit.metric].data());
+    for (double& w : of_values[limit.metric]) w *= -limit.unit();
     s.soft->adjoin(of_values);
     s.chain(x, s.nominal, s.soft->pose_slopes(), slopes + (first + k) * n);
   }

@@ -2,6 +2,8 @@
 // slopes in problem_slopes.cpp.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,6 +31,8 @@ struct MetricLimit {
   double limit;
   double sign;  ///< 1: at most, −1: at least
   std::vector<std::size_t> samples;
+
+  [[nodiscard]] double unit() const { return std::max(std::abs(limit), 1e-12); }
 };
 
 /// What a variable changes.
@@ -44,10 +48,12 @@ struct World {
   std::optional<InformationLayers> guessed, plain;  // with and without the guess
 };
 
-/// The softened worst of a limit's values: (M/s) log Σ exp(s c/M), M the limit.
+/// By how much a limit is missed, softened, in its units; less than 0: kept.
+/// @param width of the edges that the values are of; 0: what is at most 0 is kept
 /// @param[out] slopes one a sample, or null
-[[nodiscard]] double soft_worst(const MetricLimit& limit,
-                                const std::vector<double>& values, double* slopes);
+[[nodiscard]] double soft_miss(const MetricLimit& limit,
+                               const std::vector<double>& values, double width,
+                               double* slopes);
 
 struct Problem::State {
   State(const Scene& scene, PluginRegistry& registry, const ProblemOptions& given)
@@ -91,10 +97,11 @@ struct Problem::State {
   const InformationLayers& layers(World& world, bool with_guess);
   FieldValues hard_values(World& world, bool with_guess,
                           std::optional<std::size_t> missing = {});
-  double objective(const FieldValues& values, bool is_soft, FieldValues* slopes) const;
+  double objective(const FieldValues& values, std::optional<double> width,
+                   FieldValues* slopes) const;
   double hard_objective(World& world);
   double robust_objective();
-  void metric_slacks(const FieldValues& values, bool is_soft, double* out) const;
+  void metric_slacks(const FieldValues& values, double* out) const;
   double soft_objective(std::span<const double> x, const World& world, double width,
                         double* slope);
   double soft_robust_objective(std::span<const double> x, double width, double* slope);

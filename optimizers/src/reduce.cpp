@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "worst_case.h"
+
 namespace delos {
 namespace {
 
@@ -84,44 +86,78 @@ double cvar(double level, Numbers c, Numbers w, double* slopes) {
   return sum / tail;
 }
 
-double fraction(double limit, Numbers c, Numbers w, bool soft, double* slopes) {
-  const double width = limit == 0 ? 0.05 : std::abs(limit) / 20;
+/// Mean over the quantiles from one level to another.
+double band(double from, double to, Numbers c, Numbers w, double* slopes) {
+  std::vector<double> above(slopes ? c.size() : 0);
+  const double sum =
+      (1 - from) * cvar(from, c, w, slopes) -
+      (to < 1 ? (1 - to) * cvar(to, c, w, slopes ? above.data() : nullptr) : 0);
+  for (std::size_t i = 0; i < above.size(); ++i)
+    slopes[i] = ((1 - from) * slopes[i] - (1 - to) * above[i]) / (to - from);
+  return sum / (to - from);
+}
+
+double maximum(Numbers c, Numbers w, double* slopes) {
+  const std::size_t worst = by_cost(c, w).back();
+  if (slopes) std::fill_n(slopes, c.size(), 0.0), slopes[worst] = 1;
+  return c[worst];
+}
+
+double soft_maximum(Numbers c, Numbers w, double* slopes) {
+  constexpr double kSharpness = 600;
+  std::vector<std::size_t> counted;
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    if (w[i] > 0) counted.push_back(i), costs.push_back(c[i]);
+  }
+  std::vector<double> own(slopes ? costs.size() : 0);
+  const double greatest =
+      soft_greatest(costs, kSharpness, slopes ? own.data() : nullptr);
+  if (slopes) std::fill_n(slopes, c.size(), 0.0);
+  for (std::size_t k = 0; k < own.size(); ++k) slopes[counted[k]] = own[k];
+  return greatest;
+}
+
+/// @param width of the step; 0: hard
+double fraction(double limit, double width, Numbers c, Numbers w, double* slopes) {
   double sum = 0;
   for (std::size_t i = 0; i < c.size(); ++i) {
-    const double missed =
-        soft ? 1 / (1 + std::exp(-(c[i] - limit) / width)) : (c[i] > limit ? 1 : 0);
+    const double missed = width > 0 ? 1 / (1 + std::exp(-(c[i] - limit) / width))
+                                    : (c[i] > limit ? 1 : 0);
     sum += w[i] * missed;
-    if (slopes) slopes[i] = w[i] * missed * (1 - missed) / width;
+    if (slopes) slopes[i] = width > 0 ? w[i] * missed * (1 - missed) / width : 0;
   }
   return sum;
 }
 
 }  // namespace
 
-double reduce(const ObjectiveTerm& term, Numbers c, Numbers w, bool soft,
-              double* slopes) {
+double reduce(const ObjectiveTerm& term, Numbers c, Numbers w,
+              std::optional<double> blur, double* slopes) {
+  const double b = blur.value_or(0);
   switch (term.reduction) {
     case Reduction::mean:
       if (slopes) std::copy(w.begin(), w.end(), slopes);
       return std::inner_product(c.begin(), c.end(), w.begin(), 0.0);
     case Reduction::p_norm:
-      return p_norm(term.power, c, w, slopes);
+      return p_norm(b > 0 ? std::min(term.power, 1 / b) : term.power, c, w, slopes);
     case Reduction::soft_max:
-      return soft_max(term.sharpness, c, w, slopes);
-    case Reduction::maximum: {
-      const std::size_t worst = by_cost(c, w).back();
-      if (slopes) {
-        std::fill_n(slopes, c.size(), 0.0);
-        slopes[worst] = 1;
-      }
-      return c[worst];
-    }
+      return b > 0 ? cvar(1 - b, c, w, slopes) : soft_max(term.sharpness, c, w, slopes);
+    case Reduction::maximum:
+      return b > 0  ? cvar(1 - b, c, w, slopes)
+             : blur ? soft_maximum(c, w, slopes)
+                    : maximum(c, w, slopes);
     case Reduction::percentile:
-      return percentile(term.level, c, w, slopes);
+      return b > 0 ? band(std::max(0.0, term.level - b / 2),
+                          std::min(1.0, term.level + b / 2), c, w, slopes)
+                   : percentile(term.level, c, w, slopes);
     case Reduction::cvar:
-      return cvar(term.level, c, w, slopes);
-    case Reduction::fraction:
-      return fraction(term.maximize ? -term.limit : term.limit, c, w, soft, slopes);
+      return cvar(std::min(term.level, 1 - b), c, w, slopes);
+    case Reduction::fraction: {
+      const double limit = term.maximize ? -term.limit : term.limit;
+      const double size = limit == 0 ? 1 : std::abs(limit);
+      return fraction(limit, blur ? size * std::max(0.05, b) : 0, c, w, slopes);
+    }
   }
   return 0;
 }

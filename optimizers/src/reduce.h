@@ -1,6 +1,7 @@
 // The costs of samples as one number, and its slopes.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "delos/scene/search.h"
@@ -17,9 +18,21 @@ namespace delos {
 ///   fraction    Σ w [c > limit]; soft: Σ w /(1 + exp(−(c − limit)/(|limit|/20)))
 ///
 /// Source of cvar: Rockafellar, Uryasev (2000), J. Risk 2(3), 21–41.
-/// @param soft fraction has slopes; the others are the same
+///
+/// What looks at the worst alone has no slope where that is blind. With a blur b from 1
+/// to 0 all begin as means, or as nearly:
+///
+///   p_norm      a power of 1/b at most
+///   soft_max    cvar of the worst b, until b is 0
+///   maximum     the same; then soft_greatest(), s = 600
+///   percentile  the mean from level − b/2 to level + b/2
+///   cvar        the mean of the worst b at least
+///   fraction    its soft form, b |limit| wide at least
+///
+/// @param blur from 0 to 1; none: as it is judged
 /// @param[out] slopes ∂/∂c, or null
 [[nodiscard]] double reduce(const ObjectiveTerm& term, std::span<const double> costs,
-                            std::span<const double> weights, bool soft, double* slopes);
+                            std::span<const double> weights, std::optional<double> blur,
+                            double* slopes);
 
 }  // namespace delos

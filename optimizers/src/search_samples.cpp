@@ -67,25 +67,57 @@ SetSamples samples_of(const SampleSet& set, std::size_t most, const Octrees& oct
   return {std::move(field.samples.points), std::move(field.weight)};
 }
 
+/// Whether the objective or a limit looks at a set.
+bool matters(const std::string& name, const Scene& scene) {
+  const auto& terms = scene.objective.terms;
+  return terms.empty() ||
+         std::any_of(terms.begin(), terms.end(),
+                     [&](const ObjectiveTerm& term) {
+                       return term.over.empty() ||
+                              std::any_of(term.over.begin(), term.over.end(),
+                                          [&](const WeightedSet& set) {
+                                            return set.name == name && set.weight > 0;
+                                          });
+                     }) ||
+         std::any_of(scene.constraints.begin(), scene.constraints.end(),
+                     [&](const ConstraintEntry& constraint) {
+                       const auto* keep = std::get_if<KeepMetric>(&constraint.what);
+                       return keep && (keep->in.empty() || keep->in == name);
+                     });
+}
+
+/// How many samples a set may keep, so that all keep `most`: small ones, which stand
+/// for what matters most, keep all theirs. 0: no limit.
+std::size_t fair_share(const std::vector<SetSamples>& sets, std::size_t most) {
+  std::vector<std::size_t> sizes;
+  for (const SetSamples& set : sets)
+    if (set.weights.empty() && !set.points.empty()) sizes.push_back(set.points.size());
+  std::sort(sizes.begin(), sizes.end());
+  std::size_t left = most;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    const std::size_t share = left / (sizes.size() - k);
+    if (sizes[k] > share) return std::max<std::size_t>(share, most > 0 ? 1 : 0);
+    left -= sizes[k];
+  }
+  return 0;
+}
+
 }  // namespace
 
 SearchSamples search_samples(const Scene& scene, std::size_t most,
                              const Octrees& octrees) {
   std::vector<SetSamples> sets;
-  std::size_t total = 0;
-  for (const SampleSet& set : scene.samples) {
-    sets.push_back(samples_of(set, most, octrees));
-    total += sets.back().points.size();
-  }
+  for (const SampleSet& set : scene.samples)
+    sets.push_back(matters(set.name, scene) ? samples_of(set, most, octrees)
+                                            : SetSamples());
+  const std::size_t share = fair_share(sets, most);
   SearchSamples out;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const std::size_t n = sets[s].points.size();
+    if (n == 0) continue;
+    // Nodes stay together.
     const bool even = sets[s].weights.empty();
-    // A small set keeps some samples beside a large one; nodes stay together.
-    const std::size_t share = even && most > 0 && total > most
-                                  ? std::max<std::size_t>(n * most / total, 32)
-                                  : 0;
-    const auto chosen = thinned(n, share);
+    const auto chosen = thinned(n, even ? share : 0);
     out.samples.parts.push_back({scene.samples[s].name, out.samples.points.size(),
                                  chosen.size(), ScatteredShape{}});
     for (const std::size_t i : chosen) {
@@ -97,6 +129,17 @@ SearchSamples search_samples(const Scene& scene, std::size_t most,
     }
   }
   return out;
+}
+
+Samples all_samples(const Scene& scene) {
+  Samples all;
+  for (const SampleSet& set : scene.samples) {
+    const SetSamples own = samples_of(set, 0, {});
+    all.parts.push_back(
+        {set.name, all.points.size(), own.points.size(), ScatteredShape{}});
+    all.points.insert(all.points.end(), own.points.begin(), own.points.end());
+  }
+  return all;
 }
 
 std::vector<double> term_weights(const ObjectiveTerm& term, const Scene& scene,

@@ -20,11 +20,15 @@ struct SearchSamples {
 /// The field of an octree over a box.
 using Octrees = std::function<Field(const AdaptiveSampling&)>;
 
-/// @param most thin sets evenly to about so many samples; 0: all
+/// Samples of the sets that the objective or a limit looks at.
+/// @param most thin the largest sets evenly to about so many samples in all; 0: all
 /// @param octrees adaptive sets become their nodes, each as much as its volume; null:
 ///                points spread evenly over their box, `most`, or a fine grid
 [[nodiscard]] SearchSamples search_samples(const Scene& scene, std::size_t most,
                                            const Octrees& octrees = {});
+
+/// Samples of all sets; adaptive ones become fine grids.
+[[nodiscard]] Samples all_samples(const Scene& scene);
 
 /// Weights of a term, one a sample, which sum to 1; 0 where `inside` a solid.
 [[nodiscard]] std::vector<double> term_weights(

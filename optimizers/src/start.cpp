@@ -9,6 +9,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Limits are searched with this room, in units of their scale, so that they hold.
 constexpr double kRoom = 1e-6;
+/// In them, what solvers are told of a limit that is missed without measure.
+constexpr double kFar = 1e3;
 
 /// How much a score misses its limits, in units of their scales; 0: not at all.
 double violation(const Score& score, const std::vector<Limit>& limits) {
@@ -145,7 +147,7 @@ std::vector<double> Start::run_stage(const std::vector<double>& from, double wid
     for (std::size_t v = 0; slope && v < n; ++v) slope[v] = record.slope[v] / scale;
     for (std::size_t i = 0; i < box.limits; ++i) {
       const double unit = limits()[i].scale;
-      g[i] = kRoom - score.slacks[i] / unit;
+      g[i] = std::min(kRoom - score.slacks[i] / unit, kFar);
       for (std::size_t v = 0; g_slopes && v < n; ++v)
         g_slopes[i * n + v] = -record.slopes[i * n + v] / unit;
     }

@@ -85,10 +85,9 @@ FieldValues Problem::State::hard_values(World& world, bool with_guess,
 
 /// The worst of all devices and of each failure.
 double Problem::State::hard_objective(World& world) {
-  double worst = objective(hard_values(world, true), false, nullptr);
+  double worst = objective(hard_values(world, true), {}, nullptr);
   for (const std::size_t device : failing)
-    worst =
-        std::max(worst, objective(hard_values(world, true, device), false, nullptr));
+    worst = std::max(worst, objective(hard_values(world, true, device), {}, nullptr));
   return worst;
 }
 
@@ -116,7 +115,7 @@ double Problem::State::soft_objective(std::span<const double> x, const World& wo
     slopes.assign(each.size(),
                   FieldValues(metrics.size(), std::vector<double>(samples.set.size())));
   for (std::size_t c = 0; c < each.size(); ++c)
-    each[c] = objective(c == 0 ? values : failures[c - 1], true,
+    each[c] = objective(c == 0 ? values : failures[c - 1], width,
                         slope ? &slopes[c] : nullptr);
   const double worst =
       failing.empty() ? each[0] : soft_greatest(each, sharpness(width), share.data());

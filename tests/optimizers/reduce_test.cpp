@@ -20,7 +20,7 @@ ObjectiveTerm term(Reduction reduction) {
 }
 
 double value(const ObjectiveTerm& t, const std::vector<double>& weights = kEven) {
-  return reduce(t, kCosts, weights, false, nullptr);
+  return reduce(t, kCosts, weights, {}, nullptr);
 }
 
 TEST(Reduce, ClosedForms) {
@@ -53,27 +53,70 @@ TEST(Reduce, SoftMaximumIsBetweenMeanAndMaximum) {
   EXPECT_NEAR(value(soft), 21.1 / 6, 1e-3);
 }
 
-TEST(Reduce, SlopesMatchCentralDifferences) {
+double blurred(ObjectiveTerm t, double blur) {
+  return reduce(t, kCosts, kEven, blur, nullptr);
+}
+
+// Sorted: 1, 1.5, 2.6, 3, 4, 9.
+TEST(Reduce, BlurLooksFartherThanTheWorst) {
+  const double mean = 21.1 / 6;
+  EXPECT_NEAR(blurred(term(Reduction::maximum), 1), mean, 1e-14);
+  EXPECT_NEAR(blurred(term(Reduction::maximum), 1.0 / 3), (4 + 9) / 2.0, 1e-13);
+  EXPECT_NEAR(blurred(term(Reduction::soft_max), 0.5), 16.0 / 3, 1e-13);
+  ObjectiveTerm tail = term(Reduction::cvar);
+  tail.level = 5.0 / 6;
+  EXPECT_NEAR(blurred(tail, 0.5), 16.0 / 3, 1e-13);
+  EXPECT_NEAR(blurred(tail, 0.01), 9, 1e-12);
+  ObjectiveTerm median = term(Reduction::percentile);
+  median.level = 0.5;
+  EXPECT_NEAR(blurred(median, 1.0 / 3), 2.8, 1e-13);
+  median.level = 5.0 / 6;  // from 1/2 on
+  EXPECT_NEAR(blurred(median, 2.0 / 3), 16.0 / 3, 1e-13);
+  ObjectiveTerm norm = term(Reduction::p_norm);
+  norm.power = 8;
+  EXPECT_NEAR(blurred(norm, 1), mean, 1e-14);
+  EXPECT_NEAR(blurred(norm, 0.5), std::sqrt((9 + 1 + 16 + 2.25 + 81 + 6.76) / 6),
+              1e-13);
+  ObjectiveTerm missed = term(Reduction::fraction);
+  missed.limit = 2;
+  double sum = 0;  // steps as wide as the limit
+  for (const double c : kCosts) sum += 1 / (6 * (1 + std::exp(-(c - 2) / 2)));
+  EXPECT_NEAR(blurred(missed, 1), sum, 1e-14);
+}
+
+// Without blur a search sees what is judged, but for corners and steps.
+TEST(Reduce, WithoutBlurIsWhatIsJudged) {
   for (const Reduction reduction :
-       {Reduction::mean, Reduction::p_norm, Reduction::soft_max, Reduction::maximum,
-        Reduction::percentile, Reduction::cvar, Reduction::fraction}) {
-    ObjectiveTerm t = term(reduction);
-    t.level = 0.6;
-    t.limit = 2.5;
-    std::vector<double> slopes(kCosts.size());
-    reduce(t, kCosts, kUneven, true, slopes.data());
-    for (std::size_t i = 0; i < kCosts.size(); ++i) {
-      constexpr double kStep = 1e-6;
-      std::vector<double> up = kCosts, down = kCosts;
-      up[i] += kStep;
-      down[i] -= kStep;
-      const double difference = (reduce(t, up, kUneven, true, nullptr) -
-                                 reduce(t, down, kUneven, true, nullptr)) /
-                                (2 * kStep);
-      EXPECT_NEAR(slopes[i], difference, 1e-8)
-          << static_cast<int>(reduction) << " " << i;
+       {Reduction::mean, Reduction::p_norm, Reduction::soft_max, Reduction::percentile,
+        Reduction::cvar})
+    EXPECT_EQ(blurred(term(reduction), 0), value(term(reduction)));
+  const double greatest = blurred(term(Reduction::maximum), 0);
+  EXPECT_GE(greatest, 9);
+  EXPECT_LT(greatest, 9.01);
+}
+
+TEST(Reduce, SlopesMatchCentralDifferences) {
+  for (const double blur : {0.0, 0.13, 0.45, 1.0})
+    for (const Reduction reduction :
+         {Reduction::mean, Reduction::p_norm, Reduction::soft_max, Reduction::maximum,
+          Reduction::percentile, Reduction::cvar, Reduction::fraction}) {
+      ObjectiveTerm t = term(reduction);
+      t.level = 0.6;
+      t.limit = 2.5;
+      std::vector<double> slopes(kCosts.size());
+      reduce(t, kCosts, kUneven, blur, slopes.data());
+      for (std::size_t i = 0; i < kCosts.size(); ++i) {
+        constexpr double kStep = 1e-6;
+        std::vector<double> up = kCosts, down = kCosts;
+        up[i] += kStep;
+        down[i] -= kStep;
+        const double difference = (reduce(t, up, kUneven, blur, nullptr) -
+                                   reduce(t, down, kUneven, blur, nullptr)) /
+                                  (2 * kStep);
+        EXPECT_NEAR(slopes[i], difference, 1e-8)
+            << static_cast<int>(reduction) << " " << i;
+      }
     }
-  }
 }
 
 }  // namespace

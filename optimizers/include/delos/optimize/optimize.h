@@ -49,7 +49,9 @@ struct SearchProgress {
 struct OptimizeOptions {
   std::string algorithm = "auto";  ///< or one of algorithm_names()
   int evaluations = 0;             ///< at most so many; 0: by the problem's size
-  int starts = 0;                  ///< 0: by the algorithm
+  /// 0: one of a global method; 16 where a worst sample decides (a limit on a metric,
+  /// maximum, soft_max); else 4
+  int starts = 0;
   std::uint64_t seed = 1;
   int threads = 0;             ///< 0: one a core
   std::size_t samples = 1500;  ///< looked at while searching

@@ -81,8 +81,8 @@ class Problem {
   /// @pre there are two devices or more
   [[nodiscard]] double objective_without(std::span<const double> x, std::size_t device);
 
-  /// The field of the scene's metric at x, hard, on the problem's samples, without the
-  /// guess of the objective.
+  /// The field of the scene's metric at x, hard, on all samples of the scene, without
+  /// the guess of the objective.
   [[nodiscard]] Field field(std::span<const double> x);
 
  private:
