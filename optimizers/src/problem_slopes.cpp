@@ -11,6 +11,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Steps of differences, in the unit cube.
 constexpr double kPoseStep = 1e-6;
 constexpr double kLayerStep = 1e-5;
+
 /// R_to R_fromᵀ = exp([φ]×) for a small φ.
 Eigen::Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
   const Eigen::Matrix3d turn = to * from.transpose();
