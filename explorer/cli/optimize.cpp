@@ -118,8 +118,9 @@ void add_optimize_command(CLI::App& program, int& exit_code) {
                   "Evaluations at most; 0: by the number of variables")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app->add_option("--starts", command->search.starts,
-                  "Searches from different designs; 0: by the algorithm")
+  app->add_option(
+         "--starts", command->search.starts,
+         "Searches from different designs; 0: 4, or 16 where a worst sample decides")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
   app->add_option("--seed", command->search.seed, "Seed of all that is random")

@@ -251,7 +251,7 @@ void add_tradeoff_command(CLI::App& program, int& exit_code) {
   app->add_option("--scenes", command->scenes,
                   "Write each best scene into this folder");
   app->add_option("--starts", command->search.starts,
-                  "Starts of each search; 0: by the algorithm")
+                  "Starts of each search; 0: 4, or 16 where a worst sample decides")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
   app->add_option("--evaluations", command->search.evaluations,
