@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "problem_state.h"
+#include "worst_case.h"
 
 namespace delos {
 namespace {
@@ -31,7 +32,6 @@ Eigen::Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d&
 // isn't divided, since what it keeps is kept.
 double soft_miss(const MetricLimit& limit, const std::vector<double>& values,
                  double width, double* slopes) {
-  constexpr double kSharpest = 600;
   const double s = width > 0 ? std::min(1 / width, kSharpest) : kSharpest;
   const auto miss = [&](std::size_t i) {
     return limit.sign * (values[i] - limit.limit) / limit.unit();

@@ -104,7 +104,6 @@ double maximum(Numbers c, Numbers w, double* slopes) {
 }
 
 double soft_maximum(Numbers c, Numbers w, double* slopes) {
-  constexpr double kSharpness = 600;
   std::vector<std::size_t> counted;
   std::vector<double> costs;
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -112,7 +111,7 @@ double soft_maximum(Numbers c, Numbers w, double* slopes) {
   }
   std::vector<double> own(slopes ? costs.size() : 0);
   const double greatest =
-      soft_greatest(costs, kSharpness, slopes ? own.data() : nullptr);
+      soft_greatest(costs, kSharpest, slopes ? own.data() : nullptr);
   if (slopes) std::fill_n(slopes, c.size(), 0.0);
   for (std::size_t k = 0; k < own.size(); ++k) slopes[counted[k]] = own[k];
   return greatest;

@@ -24,7 +24,7 @@ namespace delos {
 ///
 ///   p_norm      a power of 1/b at most
 ///   soft_max    cvar of the worst b, until b is 0
-///   maximum     the same; then soft_greatest(), s = 600
+///   maximum     the same; then soft_greatest(), s = kSharpest
 ///   percentile  the mean from level − b/2 to level + b/2
 ///   cvar        the mean of the worst b at least
 ///   fraction    its soft form, b |limit| wide at least

@@ -5,6 +5,9 @@
 
 namespace delos {
 
+/// How sharp a greatest value is where nothing is soft any more.
+inline constexpr double kSharpest = 600;
+
 /// A smooth bound of the greatest of some numbers F:
 ///
 ///     (M/s) log Σ exp(s F/M),   M² the mean of F²
