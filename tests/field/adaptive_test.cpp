@@ -16,7 +16,7 @@ namespace {
 System acoustic_system() {
   System system = testing::acoustic_system();
   for (PlacedDevice& d : system.devices) {
-    d.device = std::make_shared<testing::TestLaneRange>(0.005);
+    d.device = std::make_shared<testing::TestFullRange>(0.005);
   }
   return system;
 }
@@ -103,7 +103,7 @@ TEST(Adaptive, ASmoothFieldMeetsTheToleranceAndKnowsItsError) {
 // Edges of fields of view are exact: a device's reach cuts the volume in two.
 TEST(Adaptive, EdgesOfFieldsOfViewAreExact) {
   System system = acoustic_system();
-  system.devices[0].device = std::make_shared<testing::TestLaneRange>(0.005, 0.8);
+  system.devices[0].device = std::make_shared<testing::TestFullRange>(0.005, 0.8);
   const AdaptiveField field = evaluate(system, sampling(0.05, 3), "coverage");
   const Samples points = random_points(5000, 4);
   EXPECT_EQ(field.read(points).value, direct(system, points, "coverage").value);

@@ -64,7 +64,7 @@ TEST(Layers, LanesGiveWhatSinglePointsGive) {
       single.devices.push_back(testing::place(
           "s", std::make_shared<testing::TestRange>(r, reach), X_WS, 50));
       lanes.devices.push_back(testing::place(
-          "s", std::make_shared<testing::TestLaneRange>(r, reach), X_WS, 50));
+          "s", std::make_shared<testing::TestFullRange>(r, reach), X_WS, 50));
     }
     const InformationLayers a(single, poses), b(lanes, poses);
     LayerBlock sa, sb;

@@ -15,7 +15,7 @@ System one_device(bool in_lanes = true) {
   system.devices.resize(1);
   system.devices[0].X_WS = {};
   if (in_lanes) {
-    system.devices[0].device = std::make_shared<testing::TestLaneRange>(0.01);
+    system.devices[0].device = std::make_shared<testing::TestFullRange>(0.01);
   }
   return system;
 }
@@ -101,9 +101,9 @@ TEST(Sight, AnOccluderOnTheTargetTurnsWithIt) {
 }
 
 TEST(Sight, DevicesThatNeedNoneSeeThroughWalls) {
-  class Through final : public testing::TestLaneRange {
+  class Through final : public testing::TestFullRange {
    public:
-    using TestLaneRange::TestLaneRange;
+    using TestFullRange::TestFullRange;
     bool needs_sight() const override { return false; }
   };
   System system = behind_a_wall(true);
@@ -126,8 +126,8 @@ TEST(Sight, MeanInformationScalesWithTheProbabilityOfBeingSeen) {
   System system = testing::acoustic_system();
   System noisier = testing::acoustic_system();
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    system.devices[i].device = std::make_shared<testing::TestLaneRange>(0.005);
-    noisier.devices[i].device = std::make_shared<testing::TestLaneRange>(0.01);
+    system.devices[i].device = std::make_shared<testing::TestFullRange>(0.005);
+    noisier.devices[i].device = std::make_shared<testing::TestFullRange>(0.01);
   }
   // A lid above the marker in the first orientation, below it in the second.
   system.on_target = Occluders({make_box({-9, -9, 0.01}, {9, 9, 0.02})});

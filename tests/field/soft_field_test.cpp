@@ -9,30 +9,10 @@
 namespace delos {
 namespace {
 
-/// The acoustic law with its slopes, in view up to `reach`.
-class SmoothRange : public testing::TestRange {
+/// The acoustic law with its slopes, but doesn't say where balls are.
+class SilentRange final : public testing::TestFullRange {
  public:
-  using TestRange::TestRange;
-  bool observe_smoothly(const Eigen::Vector3d& p, SmoothRows& out) const override {
-    const double range = p.norm();
-    const Eigen::Vector3d u = p / range;
-    out.rows = 1;
-    out.margin = (reach_ - range) / range;
-    out.margin_slope = -reach_ / (range * range) * u;
-    out.H.row(0) = u.transpose();
-    out.variance(0) = r_ * range * range;
-    const Eigen::Matrix3d turn =
-        (Eigen::Matrix3d::Identity() - u * u.transpose()) / range;
-    for (int k = 0; k < 3; ++k) out.H_slope[k].row(0) = turn.row(k);
-    out.variance_slope.row(0) = 2 * r_ * p.transpose();
-    return true;
-  }
-};
-
-/// The same, but doesn't say where balls are.
-class SilentRange final : public SmoothRange {
- public:
-  using SmoothRange::SmoothRange;
+  using TestFullRange::TestFullRange;
   View view_of_ball(const Eigen::Vector3d&, double) const override {
     return View::unknown;
   }
@@ -50,7 +30,7 @@ const Samples kSamples = testing::volume({0.01, 0, 0}, {0.4, 0.3, 0.8}, 0.1);
 
 // What is far out of view is left out unasked, and nobody can tell.
 TEST(SoftField, IsTheSameWhereDevicesSayWhereBallsAre) {
-  const System plain = rig<SilentRange>(1.0), culled = rig<SmoothRange>(1.0);
+  const System plain = rig<SilentRange>(1.0), culled = rig<testing::TestFullRange>(1.0);
   const Metric metric = testing::metric_of(plain, "sigma_position");
   for (const double width : {0.1, 0.01}) {
     SoftField one(kSamples, {}, {metric}, 1e-3), other(kSamples, {}, {metric}, 1e-3);
@@ -62,7 +42,7 @@ TEST(SoftField, IsTheSameWhereDevicesSayWhereBallsAre) {
 }
 
 TEST(SoftField, IsTheFieldWhereEdgesAreHard) {
-  const System system = rig<SmoothRange>(1.1);
+  const System system = rig<testing::TestFullRange>(1.1);
   const Metric metric = testing::metric_of(system, "sigma_position");
   SoftField soft(kSamples, {}, {metric}, 0);
   const auto& values = soft.evaluate(system, 0);
@@ -110,13 +90,13 @@ void expect_slopes(double reach, double width) {
   }
 }
 
-TEST(SoftField, SlopesOfTheDevice) { expect_slopes<SmoothRange>(1.1, 0.2); }
+TEST(SoftField, SlopesOfTheDevice) { expect_slopes<testing::TestFullRange>(1.1, 0.2); }
 
 TEST(SoftField, SlopesByDifferences) { expect_slopes<testing::TestRange>(1e9, 0.2); }
 
 // A failure is the field of the other devices, and what it costs pulls at those alone.
 TEST(SoftField, FailuresAreFieldsOfTheOtherDevices) {
-  const System system = rig<SmoothRange>(1.1);
+  const System system = rig<testing::TestFullRange>(1.1);
   const std::vector<Metric> metrics = {testing::metric_of(system, "sigma_position"),
                                        testing::metric_of(system, "sigma_z")};
   const std::vector<std::size_t> failing = {2, 0};
@@ -157,7 +137,7 @@ TEST(SoftField, FailuresAreFieldsOfTheOtherDevices) {
 // A wall that ends short of the sight line: the nearer, the less is seen, down to
 // nothing where the line is hidden, and the edge hardens with the width.
 TEST(SoftField, ShadowsHaveSoftEdges) {
-  System system = rig<SmoothRange>();
+  System system = rig<testing::TestFullRange>();
   system.devices.resize(1);
   system.devices[0].X_WS.p = {0, 0, 2};
   const auto variance_at = [&](double edge, double width) {

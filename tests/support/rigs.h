@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "delos/device/range_device.h"
 #include "delos/field/evaluate.h"
 #include "delos/field/system.h"
 
@@ -26,30 +27,14 @@ class TestRange : public Device {
     return true;
   }
 
- protected:
+ private:
   double r_, reach_;
 };
 
-/// The same with the entry for many points.
-class TestLaneRange : public TestRange {
+/// The same law as plugins have it, with every entry that a device may offer.
+class TestFullRange : public RangeDevice {
  public:
-  using TestRange::TestRange;
-  bool observe_lanes(const PointLanes& points, RowLanes& out) const override {
-    out.rows = 1;
-    for (int l = 0; l < kLanes; ++l) {
-      const Eigen::Vector3d p(points.p[0][l], points.p[1][l], points.p[2][l]);
-      const double range = p.norm();
-      out.seen[l] = range > 0 && range <= reach_;
-      for (int i = 0; i < 3; ++i) out.H[0][i][l] = p(i) / range;
-      out.variance[0][l] = r_ * range * range;
-    }
-    return true;
-  }
-  View view_of_ball(const Eigen::Vector3d& center, double radius) const override {
-    if (center.norm() - radius > reach_) return View::outside;
-    const bool inside = center.norm() > radius && center.norm() + radius < reach_;
-    return inside ? View::inside : View::crossing;
-  }
+  explicit TestFullRange(double r, double reach = 1e9) : RangeDevice(0, r, reach) {}
 };
 
 /// A given H and R over any span, the same everywhere.
