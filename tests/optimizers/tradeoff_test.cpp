@@ -84,6 +84,26 @@ TEST(Front, OfOneDesignDominatesNothing) {
   EXPECT_NEAR(points[0].objective, points[1].objective, 1e-6 * points[0].objective);
 }
 
+/// Two speakers do best a right angle apart, √2 of the circle's radius: beyond, more
+/// spacing costs accuracy, and every point of the front is worth having.
+TEST(Front, OfALowerBoundGoesUpAndDominatesNothing) {
+  const Scene scene = parse(circle({10, 130}, false) +
+                            "constraints: [{name: apart, spacing: 1.5, devices: "
+                            "\"d*\"}]\n");
+  const auto points = search_front(scene, plugins(), "apart", {1.9, 1.5, 1.7}, quick());
+  ASSERT_EQ(points.size(), 3u);
+  const double spacings[] = {1.5, 1.7, 1.9};  // from the loosest
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(points[k].limit, spacings[k]);
+    EXPECT_TRUE(points[k].kept);
+    EXPECT_FALSE(points[k].dominated);
+    EXPECT_NEAR(points[k].used, spacings[k], 1e-3);
+    if (k > 0) {
+      EXPECT_GT(points[k].objective, 1.01 * points[k - 1].objective);
+    }
+  }
+}
+
 TEST(Front, RefusesAConstraintThatIsntThere) {
   const Scene scene = parse(shared_rates());
   try {
