@@ -1,6 +1,8 @@
 // Fronts and numbers of devices whose best designs are known in closed form.
 #include "delos/optimize/tradeoff.h"
 
+#include <atomic>
+
 #include "optimizers/circle.h"
 
 namespace delos::test {
@@ -31,6 +33,13 @@ constraints:
   - {name: budget, sum: {devices.a.rate: 1, devices.b.rate: 1, devices.c.rate: 1}, at_most: 100}
 objective: {minimize: mean, of: trace, guess: 1000}
 )";
+}
+
+/// All three at one rate.
+double trace_at(double rate) {
+  double sum = 0;
+  for (const double noise : kNoises) sum += std::sqrt(0.4 * noise / rate);
+  return sum;
 }
 
 double least_trace(double budget) {
@@ -102,6 +111,23 @@ TEST(Front, OfALowerBoundGoesUpAndDominatesNothing) {
       EXPECT_GT(points[k].objective, 1.01 * points[k - 1].objective);
     }
   }
+}
+
+/// A search that is cancelled before its first step ends where it began: at the design
+/// that its neighbour found.
+TEST(Front, GoesOnWhereTheNeighbourStopped) {
+  const Scene scene = parse(shared_rates());
+  OptimizeOptions options = quick();
+  std::atomic<bool> cancel = false;
+  options.cancel = &cancel;
+  const auto points =
+      search_front(scene, plugins(), "budget", {1600, 2000}, options,
+                   [&](std::size_t done, std::size_t) { cancel = done == 1; });
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_TRUE(points[1].kept);
+  EXPECT_NEAR(points[0].objective, trace_at(500), 1e-3 * points[0].objective);
+  // Designs pass through the unit cube, which rounds.
+  EXPECT_NEAR(points[1].objective, points[0].objective, 1e-12);
 }
 
 TEST(Front, RefusesAConstraintThatIsntThere) {
