@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "delos/field/beacon_use.h"
 #include "delos/field/evaluate.h"
+#include "delos/observe/beacon_use.h"
 #include "delos/scene/io.h"
 
 namespace {

@@ -14,16 +14,17 @@ using namespace delos;
 Scene scene_01() {
   PluginRegistry plugins;
   Diagnostics diagnostics;
-  const auto scene = load_scene(DELOS_SCENES "/01-acoustic.yaml",
-                                {{"sample.volume.step", "0.008"}}, plugins, diagnostics);
+  const auto scene =
+      load_scene(DELOS_SCENES "/01-acoustic.yaml", {{"sample.volume.step", "0.008"}},
+                 plugins, diagnostics);
   if (!scene) throw std::runtime_error("scene 01 doesn't load");
   return *scene;
 }
 
 void report_rate(benchmark::State& state, std::size_t samples) {
-  state.counters["samples_per_second"] =
-      benchmark::Counter(static_cast<double>(samples) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate);
+  state.counters["samples_per_second"] = benchmark::Counter(
+      static_cast<double>(samples) * static_cast<double>(state.iterations()),
+      benchmark::Counter::kIsRate);
 }
 
 void BM_FieldOfScene01(benchmark::State& state) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "delos/scene/io.h"
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
 
 namespace {
 

@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
                                   plugins, findings);
     if (!scene) throw std::runtime_error(to_string(findings.front()));
     const SelectResult r = select(*scene, plugins, options);
-    std::printf("%-22s %6zu %6zu %8zu %12.5g %12.5g %6.2f %% %8.2f %% %7zu %6.1f\n", name,
-                r.all.candidates.size(), r.chosen.size(), r.samples, r.value,
+    std::printf("%-22s %6zu %6zu %8zu %12.5g %12.5g %6.2f %% %8.2f %% %7zu %6.1f\n",
+                name, r.all.candidates.size(), r.chosen.size(), r.samples, r.value,
                 r.lower_bound, 100 * r.gap, 100 * r.variance_gap, r.nodes, r.seconds);
   }
 }

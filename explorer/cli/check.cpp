@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/field/fusion.h"
+#include "delos/steady/fusion.h"
 #include "json.h"
 #include "summary.h"
 

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
 #include "progress.h"
 
 namespace delos::cli {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "delos/field/evaluate.h"
-#include "delos/field/system.h"
 #include "delos/plugin/registry.h"
+#include "delos/rig/system.h"
 #include "delos/scene/io.h"
 #include "interrupt.h"
 #include "progress.h"

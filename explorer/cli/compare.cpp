@@ -8,11 +8,11 @@
 #include <regex>
 
 #include "command.h"
-#include "delos/field/beacon_use.h"
-#include "delos/output/format.h"
+#include "delos/observe/beacon_use.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
-#include "delos/scene/units.h"
+#include "delos/text/format.h"
+#include "delos/text/units.h"
 #include "evaluation.h"
 #include "json.h"
 #include "summary.h"

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "delos/output/format.h"
+#include "delos/text/format.h"
 #include "search_report.h"
 #include "summary.h"
 

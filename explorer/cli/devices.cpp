@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
 #include "json.h"
 
 namespace delos::cli {

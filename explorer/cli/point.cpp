@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/field/beacon_use.h"
-#include "delos/output/format.h"
+#include "delos/observe/beacon_use.h"
+#include "delos/text/format.h"
 #include "json.h"
 #include "summary.h"
 

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <optional>
 
-#include "delos/output/format.h"
 #include "delos/scene/number.h"
+#include "delos/text/format.h"
 #include "summary.h"
 
 namespace delos::cli {

@@ -7,8 +7,8 @@
 
 #include "command.h"
 #include "delos/optimize/choices.h"
-#include "delos/output/format.h"
 #include "delos/output/write.h"
+#include "delos/text/format.h"
 #include "evaluation.h"
 #include "json.h"
 #include "select_report.h"

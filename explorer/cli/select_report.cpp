@@ -5,7 +5,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "delos/output/format.h"
+#include "delos/text/format.h"
 #include "summary.h"
 
 namespace delos::cli {

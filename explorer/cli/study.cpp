@@ -8,10 +8,10 @@
 
 #include "command.h"
 #include "consensus.h"
-#include "delos/output/format.h"
 #include "delos/scene/io.h"
 #include "delos/scene/number.h"
-#include "delos/scene/units.h"
+#include "delos/text/format.h"
+#include "delos/text/units.h"
 #include "search_report.h"
 #include "summary.h"
 

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "delos/field/beacon_use.h"
-#include "delos/output/format.h"
+#include "delos/observe/beacon_use.h"
+#include "delos/text/format.h"
 
 namespace delos::cli {
 namespace {

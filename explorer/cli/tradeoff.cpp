@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/output/format.h"
 #include "delos/scene/number.h"
-#include "delos/scene/units.h"
+#include "delos/text/format.h"
+#include "delos/text/units.h"
 #include "search_report.h"
 #include "summary.h"
 
@@ -122,7 +122,8 @@ Prices prices_of(const TradeoffCommand& command, const Scene& scene) {
   return prices;
 }
 
-Json point_json(const CountPoint& point, const Scene& scene, PluginRegistry& plugins) {
+Json point_json(const DeviceCountPoint& point, const Scene& scene,
+                PluginRegistry& plugins) {
   Json constraints = Json::array(), names = Json::array();
   for (const ConstraintReport& c : point.constraints)
     constraints.push_back(
@@ -152,11 +153,11 @@ Json counts(const TradeoffCommand& command, const Scene& scene,
       prices_of(command, scene), command.search, told(scene.name));
   Json json = header(scene);
   json["points"] = Json::array();
-  for (const CountPoint& point : points) {
+  for (const DeviceCountPoint& point : points) {
     save(command, point.scene, "devices-" + std::to_string(point.devices));
     json["points"].push_back(point_json(point, scene, plugins));
   }
-  const CountPoint* cheapest = cheapest_kept(points);
+  const DeviceCountPoint* cheapest = cheapest_kept(points);
   json["cheapest"] =
       cheapest
           ? Json({{"devices", cheapest->devices}, {"price", number(cheapest->price)}})

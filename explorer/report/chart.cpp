@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <string_view>
 
-#include "delos/output/format.h"
+#include "delos/model/infinity.h"
 #include "delos/output/ticks.h"
+#include "delos/text/format.h"
 #include "report/svg.h"
 
 namespace delos::report {
@@ -34,7 +34,6 @@ struct Axes {
 };
 
 Axes axes_of(const Chart& chart) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Axes a{kInfinity, -kInfinity, kInfinity, -kInfinity, false};
   for (const Series& series : chart.series) {
     for (const auto& [x, y] : series.points) {

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delos/output/format.h"
 #include "delos/output/ticks.h"
+#include "delos/text/format.h"
 #include "report/svg.h"
 
 namespace delos::report {
 namespace {
 
-constexpr double kWidth = 460, kMost = 420;  // of the drawing, and of its height
-constexpr double kLeft = 46, kRight = 12, kTop = 12, kBottom = 44;
+constexpr double kMapWidth = 460, kMost = 420;  // of the drawing, and of its height
+constexpr double kMapLeft = 46, kMapRight = 12, kMapTop = 12, kMapBottom = 44;
 
 /// The world axis of a map's side; nullopt along a tilted edge.
 std::optional<int> axis_of(const MapSide& side) {
@@ -24,12 +24,18 @@ std::optional<int> axis_of(const MapSide& side) {
 struct Frame {
   double x0, x1, y0, y1, scale;
 
-  [[nodiscard]] double x(double metres) const { return kLeft + (metres - x0) * scale; }
-  [[nodiscard]] double y(double metres) const { return kTop + (y1 - metres) * scale; }
+  [[nodiscard]] double x(double metres) const {
+    return kMapLeft + (metres - x0) * scale;
+  }
+  [[nodiscard]] double y(double metres) const {
+    return kMapTop + (y1 - metres) * scale;
+  }
   [[nodiscard]] bool holds(double at_x, double at_y) const {
     return at_x >= x0 && at_x <= x1 && at_y >= y0 && at_y <= y1;
   }
-  [[nodiscard]] double height() const { return kTop + (y1 - y0) * scale + kBottom; }
+  [[nodiscard]] double height() const {
+    return kMapTop + (y1 - y0) * scale + kMapBottom;
+  }
 };
 
 /// The map, and the devices that are no farther from it than it is large.
@@ -50,8 +56,8 @@ Frame frame_of(const FieldMap& map, const std::vector<Marker>& markers) {
   }
   const double border = 0.04 * std::max(f.x1 - f.x0, f.y1 - f.y0);
   f = {f.x0 - border, f.x1 + border, f.y0 - border, f.y1 + border, 1};
-  f.scale = std::min((kWidth - kLeft - kRight) / (f.x1 - f.x0),
-                     (kMost - kTop - kBottom) / (f.y1 - f.y0));
+  f.scale = std::min((kMapWidth - kMapLeft - kMapRight) / (f.x1 - f.x0),
+                     (kMost - kMapTop - kMapBottom) / (f.y1 - f.y0));
   return f;
 }
 
@@ -65,19 +71,20 @@ Html axes(const FieldMap& map, const Frame& f) {
   }
   for (const Tick& tick : linear_ticks(f.y0, f.y1, 5)) {
     const double y = f.y(tick.value);
-    out += svg_line(kLeft - 4, y, kLeft, y, "#555555");
-    out += svg_text(kLeft - 6, y + 4, "end", tick.label);
+    out += svg_line(kMapLeft - 4, y, kMapLeft, y, "#555555");
+    out += svg_text(kMapLeft - 6, y + 4, "end", tick.label);
   }
   out += element("rect",
-                 {{"x", px(kLeft)},
-                  {"y", px(kTop)},
-                  {"width", px(right - kLeft)},
-                  {"height", px(bottom - kTop)},
+                 {{"x", px(kMapLeft)},
+                  {"y", px(kMapTop)},
+                  {"width", px(right - kMapLeft)},
+                  {"height", px(bottom - kMapTop)},
                   {"fill", "none"},
                   {"stroke", "#555555"}},
                  {});
-  out += svg_text((kLeft + right) / 2, bottom + 36, "middle", map.across.name + " [m]");
-  out += svg_text_upwards(14, (kTop + bottom) / 2, map.up.name + " [m]");
+  out +=
+      svg_text((kMapLeft + right) / 2, bottom + 36, "middle", map.across.name + " [m]");
+  out += svg_text_upwards(14, (kMapTop + bottom) / 2, map.up.name + " [m]");
   return out;
 }
 
@@ -104,12 +111,12 @@ Html marker(const Marker& m, const Frame& f, int across, int up, bool named) {
                   {"stroke", "#ffffff"}},
                  element("title", m.name));
   if (!named) return out;
-  const bool right = x > kWidth / 2;
+  const bool right = x > kMapWidth / 2;
   return out +
          element(
              "g",
              {{"paint-order", "stroke"}, {"stroke", "#ffffff"}, {"stroke-width", "3"}},
-             svg_text(x + (right ? -8 : 8), y < kTop + 20 ? y + 14 : y - 6,
+             svg_text(x + (right ? -8 : 8), y < kMapTop + 20 ? y + 14 : y - 6,
                       right ? "end" : "start", m.name, 12));
 }
 
@@ -147,7 +154,7 @@ Html map_figure(const FieldMap& map, const std::vector<Marker>& markers,
   for (const Marker& m : markers)
     if (across && up && f.holds(m.p[*across], m.p[*up]))
       content += marker(m, f, *across, *up, markers.size() <= kNamed);
-  return element("figure", svg(kWidth, f.height(), says, content) +
+  return element("figure", svg(kMapWidth, f.height(), says, content) +
                                element("figcaption", caption));
 }
 

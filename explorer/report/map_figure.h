@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "delos/field/field.h"
-#include "delos/field/system.h"
 #include "delos/output/map.h"
+#include "delos/rig/system.h"
 #include "report/html.h"
 
 namespace delos::report {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delos/output/format.h"
+#include "delos/text/format.h"
 
 namespace delos::report {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "delos/output/format.h"
 #include "delos/scene/io.h"
+#include "delos/text/format.h"
 #include "report/pages.h"
 #include "report/words.h"
 

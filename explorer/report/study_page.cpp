@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "delos/output/format.h"
 #include "delos/scene/io.h"
+#include "delos/text/format.h"
 #include "report/chart.h"
 #include "report/pages.h"
 #include "report/words.h"
@@ -11,7 +11,7 @@
 namespace delos::report {
 namespace {
 
-std::string percent(double part) {
+std::string signed_percent(double part) {
   return (part < 0 ? "−" : "+") + format_quantity(std::abs(100 * part), "1") + " %";
 }
 
@@ -26,7 +26,7 @@ Html headline(const StudyReport& r) {
   std::string text = "The " + r.objective + " went from " + value(r.objective_before) +
                      " to " + value(r.objective_after);
   if (r.objective_before != 0)
-    text += " (" + percent(r.objective_after / r.objective_before - 1) + ")";
+    text += " (" + signed_percent(r.objective_after / r.objective_before - 1) + ")";
   const FieldStatistics a = summarize(r.field_before), b = summarize(r.field_after);
   text += "; " + std::to_string(b.observable) + " of " + std::to_string(b.samples) +
           " samples are observable, " + std::to_string(a.observable) + " were. ";
@@ -160,7 +160,7 @@ Html failures(const StudyReport& r) {
   if (!r.answers || r.answers->devices.empty()) return {};
   std::vector<std::vector<Html>> rows;
   for (const DeviceAnswer& d : r.answers->devices)
-    rows.push_back({d.name, percent(d.without)});
+    rows.push_back({d.name, signed_percent(d.without)});
   return section("If one device fails",
                  table("Rise of the objective where a device alone is missing",
                        {"device", "objective"}, rows));

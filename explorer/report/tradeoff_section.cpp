@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "delos/output/format.h"
+#include "delos/text/format.h"
 #include "report/chart.h"
 #include "report/words.h"
 

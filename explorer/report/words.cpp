@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "delos/model/metric.h"
-#include "delos/output/format.h"
+#include "delos/text/format.h"
 
 namespace delos::report {
 namespace {

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <random>
+
+#include "delos/model/infinity.h"
 
 namespace delos {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Later {
   bool operator()(const BranchNode& a, const BranchNode& b) const {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "delos/field/candidate_information.h"
+#include "delos/layers/candidate_information.h"
 #include "selection/question.h"
 
 namespace delos {

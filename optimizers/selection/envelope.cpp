@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "delos/optimize/choices.h"
+#include "problem/guess.h"
 #include "selection/branch_and_bound.h"
 #include "selection/question.h"
-#include "src/guess.h"
 
 namespace delos {
 namespace {

@@ -5,15 +5,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "delos/model/infinity.h"
 #include "delos/model/lanes.h"
 #include "delos/sampling/samples.h"
 
 namespace delos {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Samples that one thread takes at a time, in how many parts at most: sums run in the
 /// order of the parts.
 constexpr std::size_t kParts = 32;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "delos/field/candidate_information.h"
-#include "delos/field/covariance_map.h"
+#include "delos/layers/candidate_information.h"
 #include "delos/model/metric.h"
+#include "delos/steady/covariance_map.h"
+#include "problem/search_samples.h"
 #include "selection/cost.h"
-#include "src/search_samples.h"
 
 namespace delos {
 

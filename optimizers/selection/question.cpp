@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "delos/field/evaluate.h"
-#include "delos/scene/units.h"
-#include "src/guess.h"
+#include "delos/text/units.h"
+#include "problem/guess.h"
 
 namespace delos {
 namespace {

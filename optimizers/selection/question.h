@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "delos/optimize/select.h"
+#include "problem/search_samples.h"
 #include "selection/field_cost.h"
 #include "selection/polytope.h"
-#include "src/search_samples.h"
 
 namespace delos {
 

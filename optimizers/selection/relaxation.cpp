@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <numeric>
+
+#include "delos/model/infinity.h"
 
 namespace delos {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Rounding of sums over samples may lift a bound by so much, relatively.
 constexpr double kRounding = 1e-10;
 /// Stages of sharpness where f has kinks; smooth costs don't notice.
@@ -20,10 +20,10 @@ double dot(std::span<const double> a, std::span<const double> b) {
 }
 
 /// The state of one search.
-class Search {
+class ConvexDescent {
  public:
-  Search(ChoiceCost& cost, const ChoicePolytope& polytope,
-         const RelaxationOptions& options)
+  ConvexDescent(ChoiceCost& cost, const ChoicePolytope& polytope,
+                const RelaxationOptions& options)
       : cost_(cost), polytope_(polytope), options_(options) {
     best.value = kInfinity;
     best.bound = 0;
@@ -139,7 +139,7 @@ class Search {
 
 Relaxation relax(ChoiceCost& cost, const ChoicePolytope& polytope,
                  std::vector<double> start, const RelaxationOptions& options) {
-  Search search(cost, polytope, options);
+  ConvexDescent search(cost, polytope, options);
   if (!search.begin(std::move(start))) {
     // Not even all fractions together observe everything.
     search.best.bound = search.best.value = kInfinity;

@@ -7,7 +7,7 @@
 
 #include "delos/scene/io.h"
 #include "delos/scene/number.h"
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
 
 namespace delos {
 namespace {

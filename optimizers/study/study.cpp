@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "delos/scene/io.h"
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
 #include "study/acts.h"
 #include "study/database.h"
 #include "study/journal.h"

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "cover/instances.h"
-#include "selection/lagrangian.h"
+#include "cover/lagrangian.h"
 
 namespace delos::test {
 namespace {

@@ -6,9 +6,9 @@
 #include <random>
 #include <string>
 
+#include "cover/cover_annealing.h"
+#include "cover/cover_search.h"
 #include "cover/instances.h"
-#include "selection/cover_annealing.h"
-#include "selection/cover_search.h"
 #include "support/camera_placement.h"
 
 namespace delos::test {

@@ -2,8 +2,8 @@
 // plainly of no use goes.
 #include <gtest/gtest.h>
 
+#include "cover/cover_core.h"
 #include "cover/instances.h"
-#include "selection/cover_core.h"
 
 namespace delos::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "cover/cover_selection.h"
 #include "cover/instances.h"
-#include "selection/cover_selection.h"
 
 namespace delos::test {
 namespace {

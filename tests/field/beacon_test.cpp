@@ -6,9 +6,9 @@
 #include <set>
 
 #include "delos/device/beacons.h"
-#include "delos/field/beacon_use.h"
-#include "delos/field/layers.h"
 #include "delos/geometry/primitives.h"
+#include "delos/layers/layers.h"
+#include "delos/observe/beacon_use.h"
 #include "support/rigs.h"
 
 namespace delos {

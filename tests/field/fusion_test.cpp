@@ -1,5 +1,5 @@
 // Fusion at the level of systems: the modes, the paths and what no device sees.
-#include "delos/field/fusion.h"
+#include "delos/steady/fusion.h"
 
 #include <gtest/gtest.h>
 

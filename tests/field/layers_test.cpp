@@ -1,5 +1,5 @@
 // Layers: what is recomputed, and that an updated set equals a fresh one bit for bit.
-#include "delos/field/layers.h"
+#include "delos/layers/layers.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "field/metric_value.h"
+#include "steady/metric_value.h"
 
 namespace delos {
 namespace {

@@ -1,5 +1,5 @@
 // Cycles of updates, by hand.
-#include "delos/field/schedule.h"
+#include "delos/rig/schedule.h"
 
 #include <gtest/gtest.h>
 

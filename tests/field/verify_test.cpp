@@ -10,8 +10,8 @@ namespace {
 
 Verification verify(const SampleSet& set) {
   const System system = testing::acoustic_system();
-  return verify_sampling(system, set, {},
-                         std::get<Metric>(parse_metric("sigma_z", system.motion.layout)));
+  return verify_sampling(
+      system, set, {}, std::get<Metric>(parse_metric("sigma_z", system.motion.layout)));
 }
 
 // Linear interpolation of what is smooth errs with h².

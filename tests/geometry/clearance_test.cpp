@@ -1,5 +1,5 @@
 // How far segments pass from triangles: against points of both, tried one by one.
-#include "geometry/clearance.h"
+#include "geometry/occlusion/clearance.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "delos/field/candidate_information.h"
+#include "delos/layers/candidate_information.h"
 #include "optimizers/scenes.h"
 
 namespace delos::test {

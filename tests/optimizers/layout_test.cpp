@@ -8,7 +8,7 @@
 #include <random>
 
 #include "optimizers/circle.h"
-#include "src/assignment.h"
+#include "problem/assignment.h"
 
 namespace delos::test {
 namespace {

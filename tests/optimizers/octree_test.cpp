@@ -9,7 +9,7 @@
 #include "delos/field/adaptive.h"
 #include "delos/optimize/study.h"
 #include "optimizers/scenes.h"
-#include "src/search_samples.h"
+#include "problem/search_samples.h"
 
 namespace delos::test {
 namespace {

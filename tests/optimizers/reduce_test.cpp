@@ -1,5 +1,5 @@
 // Reductions of costs to one number: closed forms of small lists, and their slopes.
-#include "src/reduce.h"
+#include "problem/reduce.h"
 
 #include <gtest/gtest.h>
 

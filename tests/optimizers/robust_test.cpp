@@ -10,9 +10,9 @@
 #include "delos/optimize/select.h"
 #include "delos/optimize/study.h"
 #include "optimizers/scenes.h"
-#include "src/deviation.h"
-#include "src/device_count.h"
-#include "src/worst_case.h"
+#include "problem/deviation.h"
+#include "problem/worst_case.h"
+#include "tradeoff/device_count.h"
 
 namespace delos::test {
 namespace {

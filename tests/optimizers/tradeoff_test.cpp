@@ -150,7 +150,7 @@ TEST(Counts, OfSpeakersAreTheClosedFormAndTellTheCheapestKit) {
   const auto points = search_counts(scene, plugins(), 3, 6, prices, quick());
   ASSERT_EQ(points.size(), 4u);
   for (std::size_t k = 0; k < 4; ++k) {
-    const CountPoint& p = points[k];
+    const DeviceCountPoint& p = points[k];
     const int speakers = static_cast<int>(k) + 2;
     EXPECT_EQ(p.devices, k + 3);
     EXPECT_EQ(p.scene.devices.size(), p.devices);
@@ -160,7 +160,7 @@ TEST(Counts, OfSpeakersAreTheClosedFormAndTellTheCheapestKit) {
     EXPECT_NEAR(p.objective, even_eigmax(speakers), 1e-3 * p.objective) << speakers;
     EXPECT_EQ(p.kept, speakers >= 4);
   }
-  const CountPoint* cheapest = cheapest_kept(points);
+  const DeviceCountPoint* cheapest = cheapest_kept(points);
   ASSERT_NE(cheapest, nullptr);
   EXPECT_EQ(cheapest->devices, 5u);
 }
@@ -172,7 +172,7 @@ TEST(Counts, CarryConstraintsOverToCopies) {
             "  - {name: cable, sum: {devices.d0.coordinates.0: 2}, at_most: 5}\n");
   const auto points = search_counts(scene, plugins(), 2, 5, {}, quick());
   ASSERT_EQ(points.size(), 4u);
-  for (const CountPoint& p : points) {
+  for (const DeviceCountPoint& p : points) {
     EXPECT_TRUE(p.kept);
     const auto& names = p.scene.devices;
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "optimizers/scenes.h"
-#include "src/search_samples.h"
+#include "problem/search_samples.h"
 
 namespace delos::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "delos/output/format.h"
+#include "delos/text/format.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "delos/field/system.h"
+#include "delos/rig/system.h"
 #include "scene/load.h"
 
 namespace delos::test {

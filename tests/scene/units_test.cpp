@@ -1,4 +1,4 @@
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
 
 #include <gtest/gtest.h>
 

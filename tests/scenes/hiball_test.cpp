@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-#include "delos/field/beacon_use.h"
+#include "delos/observe/beacon_use.h"
 #include "shipped.h"
 
 namespace delos::test {

@@ -1,7 +1,9 @@
-// Who may know whom: explorer -> optimizers -> kernel <- plugins, and one room for each
-// library.
+// Who may know whom: explorer -> optimizers -> kernel <- plugins, within each of them
+// downwards from room to room, and one room for each library.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <regex>
 
 #include "sources.h"
@@ -110,6 +112,57 @@ TEST(Arrows, LeadFromTheExplorerToPublicHeaders) {
   }
 }
 
+/// The rooms of a library, lowest first: a source knows its own room and those below.
+struct House {
+  const char* folder;              ///< what is left out of a path before its room
+  std::vector<std::string> rooms;  ///< a folder each
+};
+
+/// The room that a path below `folder` is in, as an index; nullopt where it is in none.
+std::optional<std::size_t> room_of(const House& house, const std::string& path) {
+  const std::string room = path.substr(0, path.find('/'));
+  const auto found = std::find(house.rooms.begin(), house.rooms.end(), room);
+  if (found == house.rooms.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - house.rooms.begin());
+}
+
+/// Every include of a source in `folder` leads to its own room or to one below.
+void expect_downwards(const House& house, const std::string& prefix) {
+  int read = 0;
+  for (const Source& source : sources(house.folder)) {
+    const std::string path = source.path.substr(std::string(house.folder).size() + 1);
+    const auto room = room_of(house, path);
+    if (path.find('/') == std::string::npos) continue;  // what all rooms share
+    ASSERT_TRUE(room) << source.path << " is in a room that nobody listed";
+    for (const Include& i : includes(source)) {
+      if (!i.quoted) continue;
+      const std::string file =
+          starts(i.file, prefix) ? i.file.substr(prefix.size()) : i.file;
+      const auto other = room_of(house, file);
+      if (!other) continue;
+      ++read;
+      EXPECT_LE(*other, *room) << source.path << " includes " << i.file;
+    }
+  }
+  EXPECT_GE(read, 20) << house.folder;
+}
+
+TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheKernel) {
+  const std::vector<std::string> rooms = {"text",     "parallel", "model",  "riccati",
+                                          "geometry", "sampling", "device", "plugin",
+                                          "document", "scene",    "rig",    "observe",
+                                          "layers",   "steady",   "field",  "output"};
+  expect_downwards({"kernel/src", rooms}, "delos/");
+  expect_downwards({"kernel/include/delos", rooms}, "delos/");
+}
+
+TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
+  expect_downwards({"optimizers",
+                    {"include", "study", "nlopt", "problem", "search", "cover",
+                     "selection", "tradeoff"}},
+                   "");
+}
+
 struct Home {
   const char* library;
   std::regex header;
@@ -118,13 +171,16 @@ struct Home {
 
 TEST(Arrows, LeadToEachLibraryFromItsRoom) {
   const Home homes[] = {
-      {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/scene/"}},
+      {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/document/"}},
       {"Boost", std::regex("boost/.*"), {"kernel/src/plugin/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
-      {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/scene/"}},
-      {"OpenMP", std::regex("omp\\.h"), {"kernel/src/field/", "optimizers/selection/"}},
+      {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/text/"}},
+      {"OpenMP",
+       std::regex("omp\\.h"),
+       {"kernel/src/observe/", "kernel/src/layers/", "kernel/src/field/",
+        "optimizers/selection/"}},
       {"CLI11", std::regex("CLI/.*"), {"explorer/cli/"}},
       {"NLopt", std::regex("nlopt\\.h.*"), {"optimizers/nlopt/"}},
       {"SQLite", std::regex("sqlite.*"), {"optimizers/study/"}},

@@ -10,7 +10,7 @@
 
 #include "delos/device/range_device.h"
 #include "delos/field/evaluate.h"
-#include "delos/field/system.h"
+#include "delos/rig/system.h"
 
 namespace delos::testing {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "field/adaptive_state.h"
-#include "field/sight.h"
+#include "rig/sight.h"
 
 namespace delos {
 namespace {

@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 
+#include "delos/model/infinity.h"
 #include "field/adaptive_state.h"
-#include "field/first_failure.h"
+#include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How far two values of a metric are apart, in decades, at most one: what a value and
 /// blindness are apart.

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "delos/field/blind.h"
-#include "delos/field/layers.h"
+#include "delos/layers/layers.h"
 
 namespace delos {
 namespace {

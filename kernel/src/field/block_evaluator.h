@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "field/metric_value.h"
+#include "steady/metric_value.h"
 
 namespace delos {
 

@@ -6,8 +6,8 @@
 
 #include "delos/device/device.h"
 #include "delos/sampling/octree.h"
-#include "field/sight.h"
-#include "field/sighting.h"
+#include "observe/sighting.h"
+#include "rig/sight.h"
 
 namespace delos {
 

@@ -6,20 +6,14 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <stdexcept>
 
-#include "field/first_failure.h"
+#include "delos/model/infinity.h"
 #include "field/place_evaluator.h"
-#include "field/sight.h"
+#include "parallel/first_failure.h"
+#include "rig/sight.h"
 
 namespace delos {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 std::string metric_problem(const System& system, const Metric& metric) {
   if (metric.kind != MetricKind::latency || system.fusion != Fusion::artemis) return "";
   return "metric latency: artemis fusion has no closed loop; use stacked or continuous";

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "field/point_rows.h"
+#include "observe/point_rows.h"
 
 namespace delos {
 namespace {

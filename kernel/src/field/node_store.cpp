@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include "field/first_failure.h"
-#include "field/point_rows.h"
+#include "observe/point_rows.h"
+#include "parallel/first_failure.h"
 
 namespace delos {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "delos/sampling/octree.h"
-#include "field/block.h"
 #include "field/cell_views.h"
+#include "layers/block.h"
 
 namespace delos {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "field/block.h"
 #include "field/block_evaluator.h"
+#include "layers/block.h"
 
 namespace delos {
 

@@ -3,13 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "field/metric_value.h"
-#include "field/sight.h"
+#include "delos/model/infinity.h"
+#include "rig/sight.h"
+#include "steady/metric_value.h"
 
 namespace delos {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double coverage(const LayerBlock& block) {
   double seen = 0;

@@ -10,9 +10,9 @@
 
 #include "delos/field/soft_field.h"
 #include "delos/model/lanes.h"
-#include "field/first_failure.h"
-#include "field/metric_slope.h"
-#include "field/soft_information.h"
+#include "observe/soft_information.h"
+#include "parallel/first_failure.h"
+#include "steady/metric_slope.h"
 
 namespace delos {
 

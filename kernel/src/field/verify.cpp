@@ -32,7 +32,8 @@ Places random_places(At&& at) {
   return places;
 }
 
-/// Linear interpolation over a grid of counts nodes at a place in steps from its corner.
+/// Linear interpolation over a grid of counts nodes at a place in steps from its
+/// corner.
 double interpolate(const Field& field, const Eigen::Vector3i& counts,
                    const Eigen::Vector3d& at) {
   Eigen::Vector3i base;
@@ -102,11 +103,11 @@ struct Verify {
       if (field.cancelled) return {};
       std::vector<double> read;
       for (const Eigen::Vector3d& p : places.samples.points) {
-        read.push_back(interpolate(field, counts,
-                                   (p - shape.origin).cwiseQuotient(shape.step)));
+        read.push_back(
+            interpolate(field, counts, (p - shape.origin).cwiseQuotient(shape.step)));
       }
-      all.push_back({coarse.step.maxCoeff(), field.evaluations,
-                     difference(read, solved.value)});
+      all.push_back(
+          {coarse.step.maxCoeff(), field.evaluations, difference(read, solved.value)});
     }
     return all;
   }
@@ -137,8 +138,8 @@ struct Verify {
       const Eigen::Vector3i counts(coarse.counts[0], coarse.counts[1], 1);
       std::vector<double> read;
       for (const Eigen::Vector3d& t : places.parts) {
-        read.push_back(interpolate(field, counts,
-                                   {t.x() * (counts.x() - 1), t.y() * (counts.y() - 1), 0}));
+        read.push_back(interpolate(
+            field, counts, {t.x() * (counts.x() - 1), t.y() * (counts.y() - 1), 0}));
       }
       const double spacing = std::max(plane.u.norm() / (counts.x() - 1),
                                       plane.v.norm() / (counts.y() - 1));

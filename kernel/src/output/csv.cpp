@@ -3,7 +3,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "output/number_text.h"
+#include "text/number_text.h"
 
 namespace delos {
 

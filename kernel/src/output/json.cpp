@@ -6,7 +6,7 @@
 
 #include "delos/output/write.h"
 #include "field/statistics.h"
-#include "output/number_text.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "delos/output/format.h"
 #include "delos/output/ticks.h"
+#include "delos/text/format.h"
 #include "output/canvas.h"
 #include "output/shading.h"
 #include "output/slice.h"

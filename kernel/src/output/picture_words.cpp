@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "delos/output/format.h"
-#include "output/number_text.h"
+#include "delos/text/format.h"
+#include "text/number_text.h"
+#include "text/numbers.h"
 
 namespace delos {
 

@@ -5,9 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "delos/output/format.h"
-#include "model/rounded.h"
-#include "output/number_text.h"
+#include "delos/text/format.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {

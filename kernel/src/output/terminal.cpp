@@ -3,9 +3,9 @@
 #include <string>
 
 #include "delos/output/write.h"
-#include "output/number_text.h"
 #include "output/picture_words.h"
 #include "output/shading.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {

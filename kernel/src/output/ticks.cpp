@@ -4,9 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "delos/output/format.h"
-#include "model/rounded.h"
-#include "output/number_text.h"
+#include "delos/text/format.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {

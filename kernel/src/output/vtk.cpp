@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "output/base64.h"
-#include "output/number_text.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {

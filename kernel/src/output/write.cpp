@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "document/file_commit.h"
 #include "output/csv.h"
-#include "output/file_commit.h"
 #include "output/json.h"
 #include "output/picture.h"
 #include "output/slice.h"

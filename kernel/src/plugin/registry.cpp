@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "model/nearest.h"
 #include "plugin/elf_symbols.h"
+#include "text/nearest.h"
 
 namespace delos {
 namespace {

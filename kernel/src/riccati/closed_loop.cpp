@@ -10,9 +10,9 @@ namespace {
 using riccati::orthonormal;
 using riccati::pseudo_inverse;
 
-/// I − K H = Π P⁻¹, off the lost directions. Where P is singular, its range is invariant
-/// under A and nothing changes modulo that range: 1 on the null space has the same
-/// eigenvalues.
+/// I − K H = Π P⁻¹, off the lost directions. Where P is singular, its range is
+/// invariant under A and nothing changes modulo that range: 1 on the null space has the
+/// same eigenvalues.
 StateMatrix correction(const SteadyState& state) {
   const Eigen::Index n = state.prior.rows();
   const StateMatrix I = StateMatrix::Identity(n, n);
@@ -22,8 +22,7 @@ StateMatrix correction(const SteadyState& state) {
     const StateMatrix N = orthonormal(null);
     M += (I - M) * N * N.transpose();
   }
-  const StateMatrix observed =
-      I - state.unobservable * state.unobservable.transpose();
+  const StateMatrix observed = I - state.unobservable * state.unobservable.transpose();
   return observed * M * observed;
 }
 

@@ -13,6 +13,8 @@
 #include <limits>
 #include <utility>
 
+#include "riccati/epsilon.h"
+
 namespace delos::riccati {
 
 /// Six sweeps are the most ever seen; this many stop NaNs.
@@ -61,7 +63,6 @@ template <int p, int q, int kSize>
 [[gnu::always_inline]] inline bool jacobi_rotate(Eigen::Matrix<double, kSize, kSize>& M,
                                                  Eigen::Matrix<double, kSize, kSize>& U,
                                                  double floor) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
   const double x = M(p, q), mp = M(p, p), mq = M(q, q);
   if (x * x <= kEps * kEps * std::abs(mp * mq) || std::abs(x) <= floor) return false;
 
@@ -107,7 +108,6 @@ template <int p, int q, int kSize>
 template <int kSize>
 void jacobi_diagonalize(Eigen::Matrix<double, kSize, kSize>& M,
                         Eigen::Matrix<double, kSize, kSize>& U) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
   constexpr static auto kOrder = rotation_order<kSize>();
   // Far below any eigenvalue that is used.
   const double floor = kEps * kEps * M.diagonal().cwiseAbs().maxCoeff();

@@ -6,12 +6,6 @@
 #include <limits>
 
 namespace delos::riccati {
-namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-
-}  // namespace
-
 StateMatrix orthonormal(const StateMatrix& X) {
   const Eigen::HouseholderQR<StateMatrix> qr(X);
   StateMatrix Q = StateMatrix::Identity(X.rows(), X.cols());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "delos/model/state.h"
+#include "riccati/epsilon.h"
 
 namespace delos::riccati {
 

@@ -18,7 +18,6 @@
 namespace delos::riccati {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 /// Sine of the angle below which two directions are the same. Angles carry the rounding
 /// of S, at most ~1e-14, amplified by how badly A is conditioned.
 constexpr double kSameDirection = 1e-11;

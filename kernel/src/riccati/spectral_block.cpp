@@ -9,6 +9,7 @@
 #include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
+#include "riccati/epsilon.h"
 #include "riccati/jacobi.h"
 
 namespace delos {
@@ -28,7 +29,6 @@ struct Lanes {
 
 template <int kSize>
 void form(const CoordinateMatrix& L, const double* S, Lanes<kSize>& at) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
   double SL[kSize][kLanes];  // one column of S·L
   for (int j = 0; j < kSize; ++j) {
     for (int i = 0; i < kSize; ++i) {
@@ -51,7 +51,8 @@ void form(const CoordinateMatrix& L, const double* S, Lanes<kSize>& at) {
   for (int i = 0; i < kSize; ++i) {
     const double* m = at.m(i, i);
     for (int l = 0; l < kLanes; ++l) {
-      at.floor[l] = std::max(at.floor[l], kEps * kEps * std::abs(m[l]));
+      at.floor[l] =
+          std::max(at.floor[l], riccati::kEps * riccati::kEps * std::abs(m[l]));
     }
   }
 }
@@ -60,13 +61,12 @@ void form(const CoordinateMatrix& L, const double* S, Lanes<kSize>& at) {
 /// @returns whether any rotated
 template <int p, int q, int kSize>
 bool rotate(Lanes<kSize>& at) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
   double *mpp = at.m(p, p), *mqq = at.m(q, q), *mpq = at.m(p, q);
   double c[kLanes], s[kLanes], turned[kLanes];
   for (int l = 0; l < kLanes; ++l) {
     const double x = mpq[l], mp = mpp[l], mq = mqq[l];
-    const bool needed =
-        (x * x > kEps * kEps * std::abs(mp * mq)) & (std::abs(x) > at.floor[l]);
+    const bool needed = (x * x > riccati::kEps * riccati::kEps * std::abs(mp * mq)) &
+                        (std::abs(x) > at.floor[l]);
     const double h = mq - mp, y = 2 * x;
     const double u = h + std::copysign(std::sqrt(h * h + y * y), h);
     const double t = needed ? y / u : 0.0;

@@ -5,12 +5,11 @@
 #include "delos/riccati/spectral.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
+#include "riccati/epsilon.h"
 #include "riccati/jacobi.h"
 
 namespace delos {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 /// Rotate the columns of X until they are orthogonal: X W = U Σ (one-sided Jacobi).
 template <int kSize>
@@ -21,7 +20,7 @@ void orthogonalise_columns(riccati::Square<kSize>& X) {
       for (int q = p + 1; q < kSize; ++q) {
         const double x = X.col(p).dot(X.col(q));
         const double mp = X.col(p).squaredNorm(), mq = X.col(q).squaredNorm();
-        if (x == 0 || x * x <= 4 * kEps * kEps * mp * mq) continue;
+        if (x == 0 || x * x <= 4 * riccati::kEps * riccati::kEps * mp * mq) continue;
         ++rotations;
         const double h = mq - mp;
         const double t = 2 * x / (h + std::copysign(std::hypot(h, 2 * x), h));

@@ -95,6 +95,17 @@ struct Make {
 
 }  // namespace
 
+bool operator==(const AdaptiveSampling& a, const AdaptiveSampling& b) {
+  const auto same_box = [](const auto& p, const auto& q) {
+    return p.has_value() == q.has_value() &&
+           (!p || (p->min() == q->min() && p->max() == q->max()));
+  };
+  return a.min == b.min && a.max == b.max && a.tolerance == b.tolerance &&
+         a.depth == b.depth && a.evaluations == b.evaluations &&
+         a.seconds == b.seconds && a.near_value == b.near_value &&
+         same_box(a.within, b.within);
+}
+
 std::int64_t sample_count(const SampleSet& set) {
   return std::visit(Count{}, set.shape);
 }

@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "delos/sampling/samples.h"
-#include "scene/node_text.h"
-#include "scene/numbers.h"
+#include "document/node_text.h"
 #include "scene/point_file.h"
 #include "scene/sample_limit.h"
 #include "scene/sample_shapes.h"
 #include "scene/words.h"
+#include "text/numbers.h"
 
 namespace delos {
 namespace {
@@ -20,7 +20,7 @@ using Written = std::optional<Node>;
 constexpr std::int64_t kMostBeacons = 10'000'000;
 
 /// A set as its keys say it: pattern and panel stand beside the grid that they are of.
-struct Draft {
+struct BeaconSetDraft {
   BeaconSet set;
   std::optional<BeaconPattern> pattern;
   std::optional<Eigen::Vector2i> panel;
@@ -45,7 +45,7 @@ BeaconEntry entry_of(const std::vector<double>& row) {
   return entry;
 }
 
-void read_grid(Reader& reader, const Place& at, Draft& out) {
+void read_grid(Reader& reader, const Place& at, BeaconSetDraft& out) {
   const auto volume = read_volume(reader, at);
   if (!volume) return;
   const auto* box = std::get_if<VolumeSampling>(&*volume);
@@ -60,7 +60,7 @@ void read_grid(Reader& reader, const Place& at, Draft& out) {
   out.set.layout = BeaconGrid{*box};
 }
 
-void read_list(Reader& reader, const Place& at, Draft& out) {
+void read_list(Reader& reader, const Place& at, BeaconSetDraft& out) {
   if (!reader.expect(at, Node::Kind::list,
                      "a list of beacons [[x, y, z], …], each with its normal and its "
                      "weight behind where it has them"))
@@ -96,7 +96,7 @@ void read_list(Reader& reader, const Place& at, Draft& out) {
   out.set.layout = std::move(list);
 }
 
-void read_file(Reader& reader, const Place& at, Draft& out) {
+void read_file(Reader& reader, const Place& at, BeaconSetDraft& out) {
   const auto written = reader.word(at);
   if (!written) return;
   BeaconList list{reader.file_name(at, *written), {}};
@@ -112,7 +112,7 @@ void read_file(Reader& reader, const Place& at, Draft& out) {
   out.set.layout = std::move(list);
 }
 
-void read_panel(Reader& reader, const Place& at, Draft& out) {
+void read_panel(Reader& reader, const Place& at, BeaconSetDraft& out) {
   if (!reader.expect(at, Node::Kind::list, "two whole numbers [nx, ny]")) return;
   const auto& items = at.node().items;
   if (items.size() != 2)
@@ -126,7 +126,7 @@ void read_panel(Reader& reader, const Place& at, Draft& out) {
   out.panel = panel;
 }
 
-void read_normal(Reader& reader, const Place& at, Draft& out) {
+void read_normal(Reader& reader, const Place& at, BeaconSetDraft& out) {
   const auto normal = reader.vector3(at, "1");
   if (!normal) return;
   if (normal->isZero(0))
@@ -134,7 +134,7 @@ void read_normal(Reader& reader, const Place& at, Draft& out) {
   out.set.normal = *normal;
 }
 
-void read_emission(Reader& reader, const Place& at, Draft& out) {
+void read_emission(Reader& reader, const Place& at, BeaconSetDraft& out) {
   const auto angle = reader.number(at, "rad");
   if (!angle) return;
   if (!(*angle > 0 && *angle <= std::numbers::pi))
@@ -142,14 +142,14 @@ void read_emission(Reader& reader, const Place& at, Draft& out) {
   out.set.emission = *angle;
 }
 
-void read_range(Reader& reader, const Place& at, Draft& out) {
+void read_range(Reader& reader, const Place& at, BeaconSetDraft& out) {
   const auto range = reader.number(at, "m");
   if (!range) return;
   if (!(*range > 0)) reader.error(at, "must be above 0");
   out.set.range = *range;
 }
 
-void read_weight(Reader& reader, const Place& at, Draft& out) {
+void read_weight(Reader& reader, const Place& at, BeaconSetDraft& out) {
   const auto weight = reader.number(at, "1");
   if (!weight) return;
   if (!(*weight >= 0 && *weight <= 1)) reader.error(at, "must be from 0 to 1");
@@ -165,9 +165,9 @@ Node row_node(const BeaconEntry& entry) {
   return to_node(std::move(row));
 }
 
-constexpr std::array<Key<Draft>, 9> kBeaconKeys = {{
+constexpr std::array<Key<BeaconSetDraft>, 9> kBeaconKeys = {{
     {"grid", Need::optional, "a regular grid: min, max and step, metres", read_grid,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        const auto* grid = std::get_if<BeaconGrid>(&d.set.layout);
        if (!grid) return std::nullopt;
        return write_volume(grid->box);
@@ -175,7 +175,7 @@ constexpr std::array<Key<Draft>, 9> kBeaconKeys = {{
     {"list", Need::optional,
      "beacons [x, y, z], [x, y, z, nx, ny, nz] or [x, y, z, nx, ny, nz, weight]",
      read_list,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        const auto* list = std::get_if<BeaconList>(&d.set.layout);
        if (!list || !list->file.empty()) return std::nullopt;
        std::vector<Node> rows;
@@ -184,51 +184,51 @@ constexpr std::array<Key<Draft>, 9> kBeaconKeys = {{
      }},
     {"file", Need::optional, "such rows in a .csv or .ptl file, relative to the scene",
      read_file,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        const auto* list = std::get_if<BeaconList>(&d.set.layout);
        if (!list || list->file.empty()) return std::nullopt;
        return to_node(list->file);
      }},
     {"pattern", Need::optional,
      "panels of the grid that are lit: full, half, columns or checkerboard",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, BeaconSetDraft& d) {
        d.pattern = r.choice(p, kBeaconPatternWords);
      },
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        if (!d.pattern) return std::nullopt;
        return to_node(word_of(kBeaconPatternWords, *d.pattern));
      }},
     {"panel", Need::optional, "beacons of a panel along x and y, [nx, ny]", read_panel,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        if (!d.panel) return std::nullopt;
        return to_node(std::vector<Node>{to_node(d.panel->x()), to_node(d.panel->y())});
      }},
     {"normal", Need::optional, "which way they face, [x, y, z]", read_normal,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        if (!d.set.normal) return std::nullopt;
        return vector_node(*d.set.normal);
      }},
     {"emission", Need::optional, "half-angle of their cone of light about the normal",
      read_emission,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        if (d.set.emission == BeaconSet{}.emission) return std::nullopt;
        return to_node(d.set.emission);
      }},
     {"range", Need::optional, "farthest that they are seen, metres", read_range,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        if (d.set.range == BeaconSet{}.range) return std::nullopt;
        return to_node(d.set.range);
      }},
     {"weight", Need::optional, "the part of the time that each can be used, 0 to 1",
      read_weight,
-     [](const Draft& d) -> Written {
+     [](const BeaconSetDraft& d) -> Written {
        if (d.set.weight == BeaconSet{}.weight) return std::nullopt;
        return to_node(d.set.weight);
      }},
 }};
 
 /// Exactly one key says where the beacons are; pattern and panel are of a grid.
-void check_layout(Reader& reader, const Place& at, const Draft& draft) {
+void check_layout(Reader& reader, const Place& at, const BeaconSetDraft& draft) {
   std::string given;
   for (const char* key : {"grid", "list", "file"}) {
     const Node* node = at.node().find(key);
@@ -258,7 +258,7 @@ void read_beacons(Reader& reader, const Place& at, std::vector<BeaconSet>& out) 
   const Node& node = at.node();
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, node.keys[i].text, node.items[i]);
-    Draft draft;
+    BeaconSetDraft draft;
     draft.set.name = reader.key_name(at, i);
     if (!read_map(reader, place, kBeaconKeys, draft)) continue;
     check_layout(reader, place, draft);
@@ -274,7 +274,7 @@ Node write_beacons(const std::vector<BeaconSet>& beacons) {
   Node map;
   map.kind = Node::Kind::map;
   for (const BeaconSet& set : beacons) {
-    Draft draft{set, std::nullopt, std::nullopt};
+    BeaconSetDraft draft{set, std::nullopt, std::nullopt};
     if (const auto* grid = std::get_if<BeaconGrid>(&set.layout)) {
       draft.pattern = grid->pattern;
       if (grid->panel != BeaconGrid{}.panel) draft.panel = grid->panel;

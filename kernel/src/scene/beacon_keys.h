@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "delos/scene/scene.h"
-#include "scene/keys.h"
+#include "document/keys.h"
 
 namespace delos {
 

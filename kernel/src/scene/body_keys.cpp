@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "document/node_text.h"
 #include "scene/mesh_keys.h"
-#include "scene/node_text.h"
 
 namespace delos {
 namespace {

@@ -11,7 +11,7 @@
 #include "delos/device/beacons.h"
 #include "delos/sampling/samples.h"
 #include "scene/beacon_grid.h"
-#include "scene/name_pattern.h"
+#include "text/name_pattern.h"
 
 namespace delos {
 namespace {

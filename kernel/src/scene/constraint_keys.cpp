@@ -4,7 +4,7 @@
 
 #include "delos/model/metric.h"
 #include "delos/scene/number.h"
-#include "scene/node_text.h"
+#include "document/node_text.h"
 #include "scene/search_keys.h"
 
 namespace delos {
@@ -13,7 +13,7 @@ namespace {
 using Written = std::optional<Node>;
 
 /// A constraint while it is read: the keys that kinds share stand beside them.
-struct Draft {
+struct ConstraintDraft {
   Scene* scene = nullptr;
   ConstraintEntry entry;
   std::string kind;  ///< the key that gave it
@@ -23,7 +23,7 @@ struct Draft {
   std::string in;
 };
 
-void read_region(Reader& reader, const Place& at, Draft& out, bool outside) {
+void read_region(Reader& reader, const Place& at, ConstraintDraft& out, bool outside) {
   const auto name = reader.word(at);
   if (!name) return;
   std::vector<std::string> known;
@@ -41,7 +41,7 @@ std::optional<double> positive(Reader& reader, const Place& at, const char* unit
   return value;
 }
 
-void read_clear(Reader& reader, const Place& at, Draft& out) {
+void read_clear(Reader& reader, const Place& at, ConstraintDraft& out) {
   const auto ends = reader.vectors3(at, "m");
   if (!ends) return;
   if (ends->size() != 2 || (*ends)[0] == (*ends)[1])
@@ -50,7 +50,7 @@ void read_clear(Reader& reader, const Place& at, Draft& out) {
     out.entry.what = KeepClear{{}, (*ends)[0], (*ends)[1], 0};
 }
 
-void read_sum(Reader& reader, const Place& at, Draft& out) {
+void read_sum(Reader& reader, const Place& at, ConstraintDraft& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of paths to factors")) return;
   KeepSum sum;
   for (std::size_t i = 0; i < at.node().items.size(); ++i) {
@@ -67,12 +67,12 @@ void read_sum(Reader& reader, const Place& at, Draft& out) {
   out.entry.what = std::move(sum);
 }
 
-void read_metric(Reader& reader, const Place& at, Draft& out) {
+void read_metric(Reader& reader, const Place& at, ConstraintDraft& out) {
   if (auto name = read_metric_name(reader, at, *out.scene))
     out.entry.what = KeepMetric{*std::move(name), {}, 0};
 }
 
-void read_limit(Reader& reader, const Place& at, Draft& out) {
+void read_limit(Reader& reader, const Place& at, ConstraintDraft& out) {
   std::string unit = "1";
   if (const auto* metric = std::get_if<KeepMetric>(&out.entry.what)) {
     if (metric->metric.empty()) return;
@@ -83,17 +83,17 @@ void read_limit(Reader& reader, const Place& at, Draft& out) {
 }
 
 template <class Kind>
-const Kind* as(const Draft& draft) {
+const Kind* as(const ConstraintDraft& draft) {
   return std::get_if<Kind>(&draft.entry.what);
 }
 
-Written write_region(const Draft& d, bool outside) {
+Written write_region(const ConstraintDraft& d, bool outside) {
   const auto* inside = as<KeepInside>(d);
   if (!inside || inside->outside != outside) return std::nullopt;
   return to_node(inside->region);
 }
 
-Written write_devices(const Draft& d) {
+Written write_devices(const ConstraintDraft& d) {
   return std::visit(
       [](const auto& what) -> Written {
         if constexpr (requires { what.devices; }) return names_node(what.devices);
@@ -103,47 +103,47 @@ Written write_devices(const Draft& d) {
 }
 
 // What a kind needs to know of the others is read first.
-constexpr std::array<Key<Draft>, 16> kConstraintKeys = {{
+constexpr std::array<Key<ConstraintDraft>, 16> kConstraintKeys = {{
     {"name", Need::optional, "what messages call it",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
        if (auto name = r.name(p)) d.entry.name = std::move(*name);
      },
-     [](const Draft& d) -> Written { return to_node(d.entry.name); }},
+     [](const ConstraintDraft& d) -> Written { return to_node(d.entry.name); }},
     {"inside", Need::optional, "a region that devices stay in",
-     [](Reader& r, const Place& p, Draft& d) { read_region(r, p, d, false); },
-     [](const Draft& d) { return write_region(d, false); }},
+     [](Reader& r, const Place& p, ConstraintDraft& d) { read_region(r, p, d, false); },
+     [](const ConstraintDraft& d) { return write_region(d, false); }},
     {"outside", Need::optional, "a region that devices keep away from",
-     [](Reader& r, const Place& p, Draft& d) { read_region(r, p, d, true); },
-     [](const Draft& d) { return write_region(d, true); }},
+     [](Reader& r, const Place& p, ConstraintDraft& d) { read_region(r, p, d, true); },
+     [](const ConstraintDraft& d) { return write_region(d, true); }},
     {"spacing", Need::optional, "the least distance of any two devices, metres",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
        d.entry.what = KeepApart{{}, positive(r, p, "m").value_or(0)};
      },
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* apart = as<KeepApart>(d)) return to_node(apart->distance);
        return std::nullopt;
      }},
     {"tilt", Need::optional, "the greatest angle of devices' z axes from a direction",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
        KeepTilt tilt;
        tilt.angle = positive(r, p, "rad").value_or(0);
        if (tilt.angle >= std::numbers::pi) r.error(p, "must be below 180 deg");
        d.entry.what = tilt;
      },
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* tilt = as<KeepTilt>(d)) return to_node(tilt->angle);
        return std::nullopt;
      }},
     {"clear", Need::optional, "a line [[x, y, z], [x, y, z]] that devices keep off",
      read_clear,
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        const auto* clear = as<KeepClear>(d);
        if (!clear) return std::nullopt;
        return to_node(std::vector<Eigen::Vector3d>{clear->from, clear->to});
      }},
     {"sum", Need::optional, "factors of numbers, by path, whose sum is limited",
      read_sum,
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        const auto* sum = as<KeepSum>(d);
        if (!sum) return std::nullopt;
        Node map;
@@ -155,56 +155,58 @@ constexpr std::array<Key<Draft>, 16> kConstraintKeys = {{
        return map;
      }},
     {"metric", Need::optional, "a metric that is limited at every sample", read_metric,
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* metric = as<KeepMetric>(d)) return to_node(metric->metric);
        return std::nullopt;
      }},
     {"devices", Need::optional, "the devices that it is about; * is any part of a name",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
        d.devices = read_device_names(r, p, *d.scene);
      },
      write_devices},
     {"margin", Need::optional,
      "of inside and outside: how far from the surface, metres",
-     [](Reader& r, const Place& p, Draft& d) { d.margin = r.number(p, "m"); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, ConstraintDraft& d) { d.margin = r.number(p, "m"); },
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* inside = as<KeepInside>(d)) return to_node(inside->margin);
        return std::nullopt;
      }},
     {"distance", Need::optional, "of clear: how far devices keep off, metres",
-     [](Reader& r, const Place& p, Draft& d) { d.distance = positive(r, p, "m"); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
+       d.distance = positive(r, p, "m");
+     },
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* clear = as<KeepClear>(d)) return to_node(clear->distance);
        return std::nullopt;
      }},
     {"from", Need::optional, "of tilt: the direction; default: down, [0, 0, -1]",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
        d.from = r.vector3(p, "1");
        if (d.from && d.from->isZero(0)) r.error(p, "is no direction");
      },
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* tilt = as<KeepTilt>(d)) return vector_node(tilt->from);
        return std::nullopt;
      }},
     {"at_most", Need::optional, "of sum: the limit", read_limit,
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        if (const auto* sum = as<KeepSum>(d)) return to_node(sum->limit);
        return std::nullopt;
      }},
     {"below", Need::optional, "of metric: the limit, where less is better", read_limit,
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        const auto* metric = as<KeepMetric>(d);
        if (!metric || d.kind == "above") return std::nullopt;
        return to_node(metric->limit);
      }},
     {"above", Need::optional, "of metric: the limit, where more is better", read_limit,
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        const auto* metric = as<KeepMetric>(d);
        if (!metric || d.kind != "above") return std::nullopt;
        return to_node(metric->limit);
      }},
     {"in", Need::optional, "of metric: a sample set; default: all samples",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, ConstraintDraft& d) {
        const auto name = r.word(p);
        if (!name) return;
        std::vector<std::string> known;
@@ -216,7 +218,7 @@ constexpr std::array<Key<Draft>, 16> kConstraintKeys = {{
                                        : suggestion(*name, known)));
        d.in = *name;
      },
-     [](const Draft& d) -> Written {
+     [](const ConstraintDraft& d) -> Written {
        const auto* metric = as<KeepMetric>(d);
        if (!metric || metric->in.empty()) return std::nullopt;
        return to_node(metric->in);
@@ -243,7 +245,7 @@ const std::vector<Kind>& kinds() {
 }
 
 /// Exactly one kind, with its own keys.
-bool check_keys(Reader& reader, const Place& at, Draft& draft) {
+bool check_keys(Reader& reader, const Place& at, ConstraintDraft& draft) {
   const std::size_t before = reader.findings.errors();
   const Kind* given = nullptr;
   for (const Kind& kind : kinds()) {
@@ -274,7 +276,7 @@ bool check_keys(Reader& reader, const Place& at, Draft& draft) {
   return reader.findings.errors() == before;
 }
 
-void check_metric(Reader& reader, const Place& at, const Draft& draft) {
+void check_metric(Reader& reader, const Place& at, const ConstraintDraft& draft) {
   const auto* metric = as<KeepMetric>(draft);
   if (!metric) return;
   const bool more =
@@ -291,7 +293,7 @@ void check_metric(Reader& reader, const Place& at, const Draft& draft) {
 }
 
 /// What was read beside the kind goes into it.
-void complete(Draft& draft) {
+void complete(ConstraintDraft& draft) {
   std::visit(
       [&](auto& what) {
         if constexpr (requires { what.devices; }) what.devices = draft.devices;
@@ -334,7 +336,7 @@ void read_constraints(Reader& reader, const Place& at, Scene& scene) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < at.node().items.size(); ++i) {
     const Place place(at, member_name(at.node().items[i], i), at.node().items[i]);
-    Draft draft;
+    ConstraintDraft draft;
     draft.scene = &scene;
     const std::size_t before = reader.findings.errors();
     if (!read_map(reader, place, kConstraintKeys, draft)) continue;
@@ -356,7 +358,7 @@ std::optional<Node> write_constraints(const Scene& scene) {
   if (scene.constraints.empty()) return std::nullopt;
   std::vector<Node> list;
   for (const ConstraintEntry& entry : scene.constraints) {
-    Draft draft;
+    ConstraintDraft draft;
     draft.entry = entry;
     if (const auto* metric = std::get_if<KeepMetric>(&entry.what)) {
       const auto known = parse_metric(metric->metric, scene.motion.layout);

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "scene/node_text.h"
+#include "document/node_text.h"
 #include "scene/params.h"
 #include "scene/placement_keys.h"
 #include "scene/surface_keys.h"

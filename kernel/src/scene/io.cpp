@@ -6,10 +6,10 @@
 #include <system_error>
 #include <utility>
 
-#include "output/file_commit.h"
-#include "scene/extends.h"
-#include "scene/node_text.h"
-#include "scene/override.h"
+#include "document/extends.h"
+#include "document/file_commit.h"
+#include "document/node_text.h"
+#include "document/override.h"
 #include "scene/scene_keys.h"
 
 namespace delos {

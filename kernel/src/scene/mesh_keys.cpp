@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 
 #include "delos/geometry/defects.h"
-#include "model/rounded.h"
-#include "scene/node_text.h"
-#include "scene/numbers.h"
+#include "document/node_text.h"
+#include "text/number_text.h"
+#include "text/numbers.h"
 
 namespace delos {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr double kLargeRoom = 1000;
 
 std::string counted(std::size_t n, const char* one, const char* several) {
-  return grouped(static_cast<std::int64_t>(n)) + ' ' + (n == 1 ? one : several);
+  return grouped(n) + ' ' + (n == 1 ? one : several);
 }
 
 std::string open_text(const MeshDefects& d) {

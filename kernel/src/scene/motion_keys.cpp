@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "delos/scene/units.h"
-#include "scene/node_text.h"
+#include "delos/text/units.h"
+#include "document/node_text.h"
 #include "scene/noise_check.h"
 #include "scene/words.h"
 
@@ -20,7 +20,7 @@ constexpr std::pair<const char*, int> kMotionWords[] = {
 };
 
 /// What the keys say, before they are put together.
-struct Draft {
+struct MotionDraft {
   std::optional<int> type;  ///< of kMotionWords
   StateLayout layout;
   std::optional<std::vector<std::string>> names;
@@ -38,7 +38,7 @@ std::string q_unit(const StateLayout& layout, int i, int j) {
   return square + (power == 1 ? "/s" : "/s^" + std::to_string(power));
 }
 
-void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
+void read_diagonal_q(Reader& reader, const Place& at, MotionDraft& draft) {
   const int d = draft.layout.coordinates();
   const std::size_t before = reader.findings.errors();
   CoordinateMatrix q = CoordinateMatrix::Zero(d, d);
@@ -56,7 +56,7 @@ void read_diagonal_q(Reader& reader, const Place& at, Draft& draft) {
   if (reader.findings.errors() == before) draft.q = q;
 }
 
-void read_full_q(Reader& reader, const Place& at, Draft& draft) {
+void read_full_q(Reader& reader, const Place& at, MotionDraft& draft) {
   const int d = draft.layout.coordinates();
   const auto m = reader.matrix(
       at, [&](int i, int j) { return q_unit(draft.layout, i % d, j % d); });
@@ -70,7 +70,7 @@ void read_full_q(Reader& reader, const Place& at, Draft& draft) {
   if (check_positive_definite(reader, at, *m)) draft.q = *m;
 }
 
-void read_q(Reader& reader, const Place& at, Draft& draft) {
+void read_q(Reader& reader, const Place& at, MotionDraft& draft) {
   if (!draft.type || *draft.type == 0) return;
   if (!reader.expect(at, Node::Kind::list, "a list of numbers or of rows")) return;
   const auto& items = at.node().items;
@@ -88,7 +88,7 @@ void read_q(Reader& reader, const Place& at, Draft& draft) {
     read_diagonal_q(reader, at, draft);
 }
 
-void read_names(Reader& reader, const Place& at, Draft& draft) {
+void read_names(Reader& reader, const Place& at, MotionDraft& draft) {
   if (!reader.expect(at, Node::Kind::list, "a list of names")) return;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < at.node().items.size(); ++i)
@@ -110,35 +110,35 @@ void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>
     out = std::move(m);
 }
 
-constexpr std::array<Key<Draft>, 7> kKeys = {{
+constexpr std::array<Key<MotionDraft>, 7> kKeys = {{
     {"type", Need::required,
      "position, position_velocity, position_velocity_acceleration or custom",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, MotionDraft& d) {
        d.type = r.choice(p, kMotionWords);
        if (d.type.value_or(0) > 0) d.layout.order = *d.type;
      },
-     [](const Draft& d) -> std::optional<Node> {
+     [](const MotionDraft& d) -> std::optional<Node> {
        return to_node(word_of(kMotionWords, *d.type));
      }},
     {"state", Need::optional, "what is estimated: position, orientation or pose",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, MotionDraft& d) {
        if (const auto pose = r.choice(p, kPoseStateWords)) d.layout.pose = *pose;
      },
-     [](const Draft& d) -> std::optional<Node> {
+     [](const MotionDraft& d) -> std::optional<Node> {
        return to_node(word_of(kPoseStateWords, d.layout.pose));
      }},
     {"order", Need::optional, "custom: blocks of coordinates, 1 to 3; default 1",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, MotionDraft& d) {
        const auto order = r.integer(p, 1, 3);
        if (order && d.type == 0) d.layout.order = *order;
      },
-     [](const Draft& d) -> std::optional<Node> {
+     [](const MotionDraft& d) -> std::optional<Node> {
        if (*d.type > 0) return std::nullopt;
        return to_node(d.layout.order);
      }},
     {"names", Need::optional, "custom: names of the states behind the blocks",
      read_names,
-     [](const Draft& d) -> std::optional<Node> {
+     [](const MotionDraft& d) -> std::optional<Node> {
        if (d.layout.extra.empty()) return std::nullopt;
        std::vector<Node> names;
        for (const std::string& name : d.layout.extra) names.push_back(to_node(name));
@@ -148,27 +148,27 @@ constexpr std::array<Key<Draft>, 7> kKeys = {{
      "spectral density of the driving noise: one number a coordinate, or a symmetric "
      "matrix",
      read_q,
-     [](const Draft& d) -> std::optional<Node> {
+     [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.q) return std::nullopt;
        if (d.q->isDiagonal(0)) return vector_node(d.q->diagonal());
        return matrix_node(*d.q);
      }},
     {"A", Need::optional, "custom: transition of one update, n×n, SI",
-     [](Reader& r, const Place& p, Draft& d) { read_square(r, p, d.A); },
-     [](const Draft& d) -> std::optional<Node> {
+     [](Reader& r, const Place& p, MotionDraft& d) { read_square(r, p, d.A); },
+     [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.A) return std::nullopt;
        return matrix_node(*d.A);
      }},
     {"Q", Need::optional, "custom: process noise of one update, n×n, SI",
-     [](Reader& r, const Place& p, Draft& d) { read_square(r, p, d.Q); },
-     [](const Draft& d) -> std::optional<Node> {
+     [](Reader& r, const Place& p, MotionDraft& d) { read_square(r, p, d.Q); },
+     [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.Q) return std::nullopt;
        return matrix_node(*d.Q);
      }},
 }};
 
 /// Say which keys belong to the other kind of motion, and which are missing.
-void check_keys(Reader& reader, const Place& at, const Draft& draft) {
+void check_keys(Reader& reader, const Place& at, const MotionDraft& draft) {
   struct Rule {
     const char* key;
     bool custom;
@@ -192,7 +192,7 @@ void check_keys(Reader& reader, const Place& at, const Draft& draft) {
   }
 }
 
-void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
+void name_extra_states(Reader& reader, const Place& at, MotionDraft& draft) {
   const auto base = static_cast<std::size_t>(draft.layout.size());
   const std::size_t extra = static_cast<std::size_t>(draft.A->rows()) - base;
   std::vector<std::string> names;
@@ -219,7 +219,8 @@ void name_extra_states(Reader& reader, const Place& at, Draft& draft) {
   draft.layout.extra = std::move(names);
 }
 
-void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& out) {
+void finish_custom(Reader& reader, const Place& at, MotionDraft& draft,
+                   MotionModel& out) {
   if (draft.Q)
     check_positive_semidefinite(reader, Place(at, "Q", *at.node().find("Q")), *draft.Q);
   if (!draft.A || !draft.Q) return;
@@ -246,7 +247,7 @@ void finish_custom(Reader& reader, const Place& at, Draft& draft, MotionModel& o
 }  // namespace
 
 void read_motion(Reader& reader, const Place& at, MotionModel& out) {
-  Draft draft;
+  MotionDraft draft;
   if (!read_map(reader, at, kKeys, draft) || !draft.type) return;
   check_keys(reader, at, draft);
   if (*draft.type == 0) {
@@ -258,7 +259,7 @@ void read_motion(Reader& reader, const Place& at, MotionModel& out) {
 }
 
 Node write_motion(const MotionModel& motion) {
-  Draft draft;
+  MotionDraft draft;
   draft.type = motion.is_chain() ? motion.layout.order : 0;
   draft.layout = motion.layout;
   if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics))

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "delos/model/motion.h"
-#include "scene/keys.h"
+#include "document/keys.h"
 
 namespace delos {
 

@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "delos/scene/units.h"
-#include "model/rounded.h"
-#include "scene/numbers.h"
+#include "delos/text/units.h"
+#include "text/number_text.h"
+#include "text/numbers.h"
 
 namespace delos {
 namespace {

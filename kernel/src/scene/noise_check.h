@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "scene/reader.h"
+#include "document/reader.h"
 
 namespace delos {
 

@@ -1,17 +1,15 @@
 #include "delos/scene/number.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <span>
 
-#include "scene/name_pattern.h"
-#include "scene/reader.h"
+#include "delos/model/infinity.h"
+#include "document/reader.h"
+#include "text/name_pattern.h"
 
 namespace delos {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Thrown and caught within this file: the sentence for the user.
 struct NoNumber {

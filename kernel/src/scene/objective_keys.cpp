@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "delos/model/metric.h"
-#include "scene/node_text.h"
+#include "document/node_text.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
 
@@ -20,19 +20,19 @@ constexpr std::pair<const char*, Reduction> kReductionWords[] = {
     {"fraction", Reduction::fraction}};
 
 /// A term while it is read.
-struct Draft {
+struct TermDraft {
   const Scene* scene = nullptr;
   ObjectiveTerm term;
   std::string reduction;  ///< the key that gave it
 };
 
-Metric metric_of(const Draft& draft) {
+Metric metric_of(const TermDraft& draft) {
   const std::string& name =
       draft.term.metric.empty() ? draft.scene->metric : draft.term.metric;
   return std::get<Metric>(parse_metric(name, draft.scene->motion.layout));
 }
 
-void read_reduction(Reader& reader, const Place& at, Draft& out, bool maximize) {
+void read_reduction(Reader& reader, const Place& at, TermDraft& out, bool maximize) {
   const auto reduction = reader.choice(at, kReductionWords);
   if (!reduction) return;
   if (!out.reduction.empty())
@@ -42,7 +42,7 @@ void read_reduction(Reader& reader, const Place& at, Draft& out, bool maximize) 
   out.term.maximize = maximize;
 }
 
-void read_metric(Reader& reader, const Place& at, Draft& out) {
+void read_metric(Reader& reader, const Place& at, TermDraft& out) {
   if (auto name = read_metric_name(reader, at, *out.scene))
     out.term.metric = *std::move(name);
 }
@@ -57,7 +57,7 @@ void read_between(Reader& reader, const Place& at, double least, bool inclusive,
   out = *value;
 }
 
-void read_limit(Reader& reader, const Place& at, Draft& out) {
+void read_limit(Reader& reader, const Place& at, TermDraft& out) {
   if (const auto value = reader.number(at, metric_of(out).unit))
     out.term.limit = *value;
 }
@@ -94,7 +94,7 @@ constexpr std::array<Key<SetDraft>, 2> kSetKeys = {{
      [](const SetDraft& d) -> Written { return to_node(d.set.weight); }},
 }};
 
-void read_over(Reader& reader, const Place& at, Draft& out) {
+void read_over(Reader& reader, const Place& at, TermDraft& out) {
   const auto read_one = [&](const Place& place) {
     SetDraft draft{out.scene, {}};
     if (place.node().kind == Node::Kind::scalar)
@@ -108,49 +108,49 @@ void read_over(Reader& reader, const Place& at, Draft& out) {
     read_one(Place(at, std::to_string(i), at.node().items[i]));
 }
 
-Written write_reduction(const Draft& d, bool maximize) {
+Written write_reduction(const TermDraft& d, bool maximize) {
   if (d.term.maximize != maximize) return std::nullopt;
   return to_node(word_of(kReductionWords, d.term.reduction));
 }
 
-constexpr std::array<Key<Draft>, 9> kTermKeys = {{
+constexpr std::array<Key<TermDraft>, 9> kTermKeys = {{
     {"minimize", Need::optional,
      "mean, p_norm, soft_max, maximum, percentile, cvar or fraction",
-     [](Reader& r, const Place& p, Draft& d) { read_reduction(r, p, d, false); },
-     [](const Draft& d) { return write_reduction(d, false); }},
+     [](Reader& r, const Place& p, TermDraft& d) { read_reduction(r, p, d, false); },
+     [](const TermDraft& d) { return write_reduction(d, false); }},
     {"maximize", Need::optional, "the same, of a metric of which more is better",
-     [](Reader& r, const Place& p, Draft& d) { read_reduction(r, p, d, true); },
-     [](const Draft& d) { return write_reduction(d, true); }},
+     [](Reader& r, const Place& p, TermDraft& d) { read_reduction(r, p, d, true); },
+     [](const TermDraft& d) { return write_reduction(d, true); }},
     {"of", Need::optional, "the metric; default: the scene's", read_metric,
-     [](const Draft& d) -> Written {
+     [](const TermDraft& d) -> Written {
        if (d.term.metric.empty()) return std::nullopt;
        return to_node(d.term.metric);
      }},
     {"weight", Need::optional, "of this term in the sum",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, TermDraft& d) {
        read_between(r, p, 0, false, 1e12, d.term.weight);
      },
-     [](const Draft& d) -> Written { return to_node(d.term.weight); }},
+     [](const TermDraft& d) -> Written { return to_node(d.term.weight); }},
     {"p", Need::optional, "power of p_norm, at least 1",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, TermDraft& d) {
        read_between(r, p, 1, true, 1e3, d.term.power);
      },
-     [](const Draft& d) -> Written { return to_node(d.term.power); }},
+     [](const TermDraft& d) -> Written { return to_node(d.term.power); }},
     {"sharpness", Need::optional, "of soft_max, above 0",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, TermDraft& d) {
        read_between(r, p, 0, false, 1e4, d.term.sharpness);
      },
-     [](const Draft& d) -> Written { return to_node(d.term.sharpness); }},
+     [](const TermDraft& d) -> Written { return to_node(d.term.sharpness); }},
     {"level", Need::optional, "of percentile and cvar, between 0 and 1",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, TermDraft& d) {
        read_between(r, p, 0, false, 1, d.term.level);
      },
-     [](const Draft& d) -> Written { return to_node(d.term.level); }},
+     [](const TermDraft& d) -> Written { return to_node(d.term.level); }},
     {"limit", Need::optional, "of fraction: what a sample should keep to", read_limit,
-     [](const Draft& d) -> Written { return to_node(d.term.limit); }},
+     [](const TermDraft& d) -> Written { return to_node(d.term.limit); }},
     {"over", Need::optional, "sample sets that count, with weights; default: all alike",
      read_over,
-     [](const Draft& d) -> Written {
+     [](const TermDraft& d) -> Written {
        if (d.term.over.empty()) return std::nullopt;
        std::vector<Node> list;
        for (const WeightedSet& set : d.term.over)
@@ -160,7 +160,7 @@ constexpr std::array<Key<Draft>, 9> kTermKeys = {{
 }};
 
 /// What only the keys together tell.
-void check_term(Reader& reader, const Place& at, const Draft& draft) {
+void check_term(Reader& reader, const Place& at, const TermDraft& draft) {
   if (draft.reduction.empty()) {
     reader.error(at, "says neither what to minimize nor what to maximize");
     return;
@@ -193,7 +193,7 @@ void read_terms(Reader& reader, const Place& at, ObjectiveDraft& out) {
   if (!reader.expect(at, Node::Kind::list, "a list of terms")) return;
   for (std::size_t i = 0; i < at.node().items.size(); ++i) {
     const Place place(at, std::to_string(i), at.node().items[i]);
-    Draft draft{out.scene, {}, {}};
+    TermDraft draft{out.scene, {}, {}};
     const std::size_t before = reader.findings.errors();
     if (!read_map(reader, place, kTermKeys, draft)) continue;
     if (reader.findings.errors() == before) check_term(reader, place, draft);
@@ -208,7 +208,7 @@ constexpr std::array<Key<ObjectiveDraft>, 3> kObjectiveKeys = {{
        if (d.objective.terms.empty()) return std::nullopt;
        std::vector<Node> list;
        for (const ObjectiveTerm& term : d.objective.terms)
-         list.push_back(write_map(kTermKeys, Draft{nullptr, term, {}}));
+         list.push_back(write_map(kTermKeys, TermDraft{nullptr, term, {}}));
        return to_node(std::move(list));
      }},
     {"guess", Need::optional,
@@ -262,7 +262,7 @@ void read_objective(Reader& reader, const Place& at, Scene& scene) {
     const Node nothing;
     const Place root(nothing);
     read_map(reader, Place(root, "objective", rest), kObjectiveKeys, draft);
-    Draft single{&scene, {}, {}};
+    TermDraft single{&scene, {}, {}};
     const Place place(root, "objective", term);
     const std::size_t before = reader.findings.errors();
     if (!term.items.empty()) {

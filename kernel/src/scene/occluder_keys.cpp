@@ -2,9 +2,9 @@
 
 #include <map>
 
+#include "document/node_text.h"
 #include "scene/body_keys.h"
 #include "scene/mesh_keys.h"
-#include "scene/node_text.h"
 #include "scene/placement_keys.h"
 #include "scene/words.h"
 

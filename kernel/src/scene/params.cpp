@@ -3,8 +3,8 @@
 #include <cmath>
 #include <span>
 
-#include "delos/scene/units.h"
-#include "scene/node_text.h"
+#include "delos/text/units.h"
+#include "document/node_text.h"
 
 namespace delos {
 namespace {

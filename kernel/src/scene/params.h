@@ -3,7 +3,7 @@
 
 #include "delos/device/parameters.h"
 #include "delos/plugin.h"
-#include "scene/reader.h"
+#include "document/reader.h"
 
 namespace delos {
 

@@ -1,11 +1,10 @@
 #include "scene/placement_keys.h"
 
-#include "scene/node_text.h"
+#include "document/node_text.h"
 
 namespace delos {
 namespace {
 
-constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
 constexpr std::array<const char*, 4> kQuaternion = {"w", "x", "y", "z"};
 
 }  // namespace

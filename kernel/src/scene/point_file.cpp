@@ -6,7 +6,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "scene/numbers.h"
+#include "text/numbers.h"
 
 namespace delos {
 namespace {

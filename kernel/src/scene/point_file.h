@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/reader.h"
+#include "document/reader.h"
 
 namespace delos {
 

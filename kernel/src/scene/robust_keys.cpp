@@ -1,6 +1,6 @@
 #include <limits>
 
-#include "scene/node_text.h"
+#include "document/node_text.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
 
@@ -13,12 +13,12 @@ constexpr std::pair<const char*, DrawRule> kDrawRuleWords[] = {
     {"mean", DrawRule::mean}, {"worst", DrawRule::worst}};
 
 /// What is withstood, while it is read.
-struct Draft {
+struct RobustnessDraft {
   const Scene* scene = nullptr;
   Robustness robust;
 };
 
-void read_failures(Reader& reader, const Place& at, Draft& out) {
+void read_failures(Reader& reader, const Place& at, RobustnessDraft& out) {
   out.robust.failures = read_device_names(reader, at, *out.scene);
   if (out.scene->devices.size() == 1)
     reader.error(at, "of a single device none may fail; nothing would be left");
@@ -49,52 +49,52 @@ constexpr std::array<Key<Robustness>, 2> kMountingKeys = {{
      [](const Robustness& d) { return deviation(d.angle); }},
 }};
 
-void read_mounting(Reader& reader, const Place& at, Draft& out) {
+void read_mounting(Reader& reader, const Place& at, RobustnessDraft& out) {
   if (read_map(reader, at, kMountingKeys, out.robust) && at.node().items.empty())
     reader.error(at, "draws nothing; give at, angle or both");
 }
 
-constexpr std::array<Key<Draft>, 6> kRobustKeys = {{
+constexpr std::array<Key<RobustnessDraft>, 6> kRobustKeys = {{
     {"failures", Need::optional,
      "devices of which any one may fail; * is any part of a name", read_failures,
-     [](const Draft& d) -> Written {
+     [](const RobustnessDraft& d) -> Written {
        if (d.robust.failures.empty()) return std::nullopt;
        return names_node(d.robust.failures);
      }},
     {"mounting", Need::optional, "how far devices are off where they should be",
      read_mounting,
-     [](const Draft& d) -> Written {
+     [](const RobustnessDraft& d) -> Written {
        if (d.robust.place == 0 && d.robust.angle == 0) return std::nullopt;
        return write_map(kMountingKeys, d.robust);
      }},
     {"noise", Need::optional,
      "relative standard deviation of devices' noise: of its logarithm",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, RobustnessDraft& d) {
        read_deviation(r, p, "1", d.robust.noise);
      },
-     [](const Draft& d) { return deviation(d.robust.noise); }},
+     [](const RobustnessDraft& d) { return deviation(d.robust.noise); }},
     {"draws", Need::optional, "how many draws of mounting and noise",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, RobustnessDraft& d) {
        if (const auto n = r.integer(p, 1, 10000)) d.robust.draws = *n;
      },
-     [](const Draft& d) -> Written {
+     [](const RobustnessDraft& d) -> Written {
        if (!d.robust.is_drawn()) return std::nullopt;
        return to_node(d.robust.draws);
      }},
     {"seed", Need::optional, "of the draws",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, RobustnessDraft& d) {
        if (const auto n = r.integer(p, 0, std::numeric_limits<int>::max()))
          d.robust.seed = *n;
      },
-     [](const Draft& d) -> Written {
+     [](const RobustnessDraft& d) -> Written {
        if (!d.robust.is_drawn()) return std::nullopt;
        return to_node(d.robust.seed);
      }},
     {"combine", Need::optional, "mean or worst of the draws",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, RobustnessDraft& d) {
        if (const auto rule = r.choice(p, kDrawRuleWords)) d.robust.combine = *rule;
      },
-     [](const Draft& d) -> Written {
+     [](const RobustnessDraft& d) -> Written {
        if (!d.robust.is_drawn()) return std::nullopt;
        return to_node(word_of(kDrawRuleWords, d.robust.combine));
      }},
@@ -104,7 +104,7 @@ constexpr std::array<Key<Draft>, 6> kRobustKeys = {{
 
 void read_robust(Reader& reader, const Place& at, const Scene& scene, Robustness& out) {
   const std::size_t before = reader.findings.errors();
-  Draft draft{&scene, {}};
+  RobustnessDraft draft{&scene, {}};
   if (!read_map(reader, at, kRobustKeys, draft)) return;
   out = std::move(draft.robust);
   if (reader.findings.errors() != before) return;
@@ -120,7 +120,7 @@ void read_robust(Reader& reader, const Place& at, const Scene& scene, Robustness
 
 std::optional<Node> write_robust(const Robustness& robust) {
   if (robust == Robustness{}) return std::nullopt;
-  return write_map(kRobustKeys, Draft{nullptr, robust});
+  return write_map(kRobustKeys, RobustnessDraft{nullptr, robust});
 }
 
 }  // namespace delos

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "delos/sampling/samples.h"
-#include "scene/node_text.h"
+#include "document/node_text.h"
 #include "scene/point_file.h"
 #include "scene/sample_limit.h"
 #include "scene/sample_shapes.h"
@@ -16,8 +16,6 @@ namespace {
 using Written = std::optional<Node>;
 
 // ---- orientations ----
-
-constexpr std::array<const char*, 3> kAngles = {"roll", "pitch", "yaw"};
 
 constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
     {"rpy", Need::optional,
@@ -38,39 +36,39 @@ constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
 // ---- one set ----
 
 /// A set as its keys say it; orientations stand beside the shape of a single set.
-struct Draft {
+struct SampleSetDraft {
   SampleSet set;
   bool complete = false;  ///< its shape was read without findings
   bool single = false;    ///< `sample` is this mapping, not a list
   std::optional<Orientations> orientations;
 };
 
-void read_volume_set(Reader& reader, const Place& at, Draft& out) {
+void read_volume_set(Reader& reader, const Place& at, SampleSetDraft& out) {
   const auto volume = read_volume(reader, at);
   out.complete = volume.has_value();
   if (volume) std::visit([&](const auto& shape) { out.set.shape = shape; }, *volume);
 }
 
-void read_plane_set(Reader& reader, const Place& at, Draft& out) {
+void read_plane_set(Reader& reader, const Place& at, SampleSetDraft& out) {
   const auto plane = read_plane(reader, at);
   out.complete = plane.has_value();
   if (plane) out.set.shape = *plane;
 }
 
-void read_mesh_set(Reader& reader, const Place& at, Draft& out) {
+void read_mesh_set(Reader& reader, const Place& at, SampleSetDraft& out) {
   auto mesh = read_mesh_samples(reader, at);
   out.complete = mesh.has_value();
   if (mesh) out.set.shape = std::move(*mesh);
 }
 
-void read_points(Reader& reader, const Place& at, Draft& out) {
+void read_points(Reader& reader, const Place& at, SampleSetDraft& out) {
   auto points = reader.vectors3(at, "m");
   if (!points) return;
   out.set.shape = PointSampling{{}, std::move(*points)};
   out.complete = true;
 }
 
-void read_file(Reader& reader, const Place& at, Draft& out) {
+void read_file(Reader& reader, const Place& at, SampleSetDraft& out) {
   const auto written = reader.word(at);
   if (!written) return;
   PointSampling points{reader.file_name(at, *written), {}};
@@ -82,17 +80,17 @@ void read_file(Reader& reader, const Place& at, Draft& out) {
   out.complete = true;
 }
 
-constexpr std::array<Key<Draft>, 8> kSetKeys = {{
+constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
     {"name", Need::optional, "name of the set",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SampleSetDraft& d) {
        if (auto name = r.name(p)) d.set.name = std::move(*name);
      },
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        if (d.set.name.empty()) return std::nullopt;
        return to_node(d.set.name);
      }},
     {"volume", Need::optional, "samples in a box", read_volume_set,
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        if (const auto* v = std::get_if<VolumeSampling>(&d.set.shape))
          return write_volume(*v);
        if (const auto* v = std::get_if<AdaptiveSampling>(&d.set.shape))
@@ -100,40 +98,40 @@ constexpr std::array<Key<Draft>, 8> kSetKeys = {{
        return std::nullopt;
      }},
     {"plane", Need::optional, "samples on a parallelogram", read_plane_set,
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        const auto* p = std::get_if<PlaneSampling>(&d.set.shape);
        if (!p) return std::nullopt;
        return write_plane(*p);
      }},
     {"points", Need::optional, "given points [[x, y, z], …], metres", read_points,
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        const auto* p = std::get_if<PointSampling>(&d.set.shape);
        if (!p || !p->file.empty()) return std::nullopt;
        return to_node(p->points);
      }},
     {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene",
      read_file,
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        const auto* p = std::get_if<PointSampling>(&d.set.shape);
        if (!p || p->file.empty()) return std::nullopt;
        return to_node(p->file);
      }},
     {"mesh", Need::optional, "vertices of a mesh: a file, or file and scale",
      read_mesh_set,
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        const auto* m = std::get_if<MeshSampling>(&d.set.shape);
        if (!m) return std::nullopt;
        return write_mesh_samples(*m);
      }},
     {"path", Need::later, "samples along a recorded path"},
     {"orientations", Need::optional, "target orientations tried at each point",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SampleSetDraft& d) {
        if (!d.single)
          r.error(p, "orientations hold for all sets; put them beside 'sample'");
        else
          read_orientations(r, p, d.orientations.emplace());
      },
-     [](const Draft& d) -> Written {
+     [](const SampleSetDraft& d) -> Written {
        if (!d.orientations) return std::nullopt;
        return write_map(kOrientationKeys, *d.orientations);
      }},
@@ -182,9 +180,9 @@ void report_too_many(Reader& reader, const Place& at, const SampleSet& set) {
 
 /// Read one set. @returns its samples, 0 where it has findings or is adaptive.
 std::int64_t read_set(Reader& reader, const Place& at, bool single, Scene& out) {
-  Draft draft;
+  SampleSetDraft draft;
   draft.single = single;
-  if (!read_map(reader, at, kSetKeys, draft)) return 0;
+  if (!read_map(reader, at, kSampleSetKeys, draft)) return 0;
   if (draft.orientations) out.orientations = std::move(*draft.orientations);
   if (!check_one_shape(reader, at) || !draft.complete) return 0;
   const std::int64_t count = sample_count(draft.set);
@@ -261,10 +259,10 @@ void read_near(Reader& reader, const Place& at, std::string_view unit, Scene& ou
 Node write_samples(const Scene& scene) {
   std::vector<Node> sets;
   for (const SampleSet& set : scene.samples) {
-    Draft draft{set, true, stand_in_set(scene), std::nullopt};
+    SampleSetDraft draft{set, true, stand_in_set(scene), std::nullopt};
     if (draft.single && scene.orientations != Orientations{})
       draft.orientations = scene.orientations;
-    sets.push_back(write_map(kSetKeys, draft));
+    sets.push_back(write_map(kSampleSetKeys, draft));
   }
   if (stand_in_set(scene)) return std::move(sets.front());
   return to_node(std::move(sets));

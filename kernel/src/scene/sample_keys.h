@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "delos/scene/scene.h"
-#include "scene/keys.h"
+#include "document/keys.h"
 
 namespace delos {
 

@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "document/node_text.h"
 #include "scene/body_keys.h"
 #include "scene/mesh_keys.h"
-#include "scene/node_text.h"
 
 namespace delos {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "delos/scene/scene.h"
-#include "scene/keys.h"
+#include "document/keys.h"
 
 namespace delos {
 

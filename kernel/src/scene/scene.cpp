@@ -27,17 +27,6 @@ Pose pose_of(const Placement& placement) {
   return pose;
 }
 
-bool operator==(const AdaptiveSampling& a, const AdaptiveSampling& b) {
-  const auto same_box = [](const auto& p, const auto& q) {
-    return p.has_value() == q.has_value() &&
-           (!p || (p->min() == q->min() && p->max() == q->max()));
-  };
-  return a.min == b.min && a.max == b.max && a.tolerance == b.tolerance &&
-         a.depth == b.depth && a.evaluations == b.evaluations &&
-         a.seconds == b.seconds && a.near_value == b.near_value &&
-         same_box(a.within, b.within);
-}
-
 namespace {
 
 Pose mounted_pose(const Scene& scene, const DeviceEntry& device) {

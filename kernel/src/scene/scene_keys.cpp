@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "delos/model/metric.h"
-#include "delos/scene/units.h"
+#include "delos/text/units.h"
+#include "document/node_text.h"
 #include "scene/beacon_keys.h"
 #include "scene/device_keys.h"
 #include "scene/motion_keys.h"
-#include "scene/node_text.h"
 #include "scene/occluder_keys.h"
 #include "scene/sample_keys.h"
 #include "scene/search_keys.h"
@@ -23,12 +23,12 @@ using Written = std::optional<Node>;
 constexpr int kFormat = 1;
 
 /// A scene while it is read.
-struct Draft {
+struct SceneDraft {
   Scene scene;
   Known known;
 };
 
-void read_format(Reader& reader, const Place& at, Draft&) {
+void read_format(Reader& reader, const Place& at, SceneDraft&) {
   const auto text = reader.word(at);
   if (text && *text != std::to_string(kFormat))
     reader.error(at, "'" + *text +
@@ -50,7 +50,7 @@ constexpr std::array<Key<Scene>, 1> kTargetKeys = {{
 
 // ---- the scene ----
 
-void read_skin(Reader& reader, const Place& at, Draft& out) {
+void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
   const auto skin = reader.number(at, "m");
   if (!skin) return;
   if (*skin < 0) reader.error(at, "must not be below 0");
@@ -59,47 +59,49 @@ void read_skin(Reader& reader, const Place& at, Draft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<Draft>, 20> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
-     read_format, [](const Draft&) -> Written { return to_node(kFormat); }},
+     read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        if (auto name = r.word(p)) d.scene.name = std::move(*name);
      },
-     [](const Draft& d) -> Written {
+     [](const SceneDraft& d) -> Written {
        if (d.scene.name.empty()) return std::nullopt;
        return to_node(d.scene.name);
      }},
     {"motion", Need::required, "how the target is expected to move",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        const std::size_t before = r.findings.errors();
        read_motion(r, p, d.scene.motion);
        d.known.motion = r.findings.errors() == before;
      },
-     [](const Draft& d) -> Written { return write_motion(d.scene.motion); }},
+     [](const SceneDraft& d) -> Written { return write_motion(d.scene.motion); }},
     {"fusion", Need::optional, "how the measurements of several devices come together",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        d.scene.fusion = r.choice(p, kFusionWords);
      },
-     [](const Draft& d) -> Written {
+     [](const SceneDraft& d) -> Written {
        if (!d.scene.fusion) return std::nullopt;
        return to_node(to_string(*d.scene.fusion));
      }},
     {"sample", Need::required, "where the system is evaluated",
-     [](Reader& r, const Place& p, Draft& d) { read_samples(r, p, d.scene); },
-     [](const Draft& d) -> Written { return write_samples(d.scene); }},
+     [](Reader& r, const Place& p, SceneDraft& d) { read_samples(r, p, d.scene); },
+     [](const SceneDraft& d) -> Written { return write_samples(d.scene); }},
     {"orientations", Need::optional, "target orientations tried at each point",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        read_orientations(r, p, d.scene.orientations);
      },
-     [](const Draft& d) -> Written { return write_orientations(d.scene); }},
+     [](const SceneDraft& d) -> Written { return write_orientations(d.scene); }},
     {"covariance", Need::optional, "the one that the metric reads: prior or posterior",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        if (const auto kind = r.choice(p, kCovarianceWords)) d.scene.covariance = *kind;
      },
-     [](const Draft& d) -> Written { return to_node(to_string(d.scene.covariance)); }},
+     [](const SceneDraft& d) -> Written {
+       return to_node(to_string(d.scene.covariance));
+     }},
     {"metric", Need::optional, "the number that is shown",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        auto metric = r.word(p);
        if (!metric) return;
        const auto known = parse_metric(*metric, d.scene.motion.layout);
@@ -107,71 +109,79 @@ constexpr std::array<Key<Draft>, 20> kSceneKeys = {{
        if (problem && d.known.motion) r.error(p, *problem);
        d.scene.metric = std::move(*metric);
      },
-     [](const Draft& d) -> Written { return to_node(d.scene.metric); }},
+     [](const SceneDraft& d) -> Written { return to_node(d.scene.metric); }},
     {"target", Need::optional, "the thing that is tracked",
-     [](Reader& r, const Place& p, Draft& d) { read_map(r, p, kTargetKeys, d.scene); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_map(r, p, kTargetKeys, d.scene);
+     },
+     [](const SceneDraft& d) -> Written {
        if (d.scene.markers == Scene{}.markers) return std::nullopt;
        return write_map(kTargetKeys, d.scene);
      }},
     {"groups", Need::optional, "poses that their members are relative to",
-     [](Reader& r, const Place& p, Draft& d) { read_groups(r, p, d.scene.groups); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_groups(r, p, d.scene.groups);
+     },
+     [](const SceneDraft& d) -> Written {
        if (d.scene.groups.empty()) return std::nullopt;
        return write_groups(d.scene.groups);
      }},
     {"surfaces", Need::optional, "what devices are mounted on",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        const std::size_t before = r.findings.errors();
        read_surfaces(r, p, d.scene.surfaces);
        d.known.surfaces = r.findings.errors() == before;
      },
-     [](const Draft& d) -> Written {
+     [](const SceneDraft& d) -> Written {
        if (d.scene.surfaces.empty()) return std::nullopt;
        return write_surfaces(d.scene.surfaces);
      }},
     {"regions", Need::optional, "named bodies",
-     [](Reader& r, const Place& p, Draft& d) { read_regions(r, p, d.scene.regions); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_regions(r, p, d.scene.regions);
+     },
+     [](const SceneDraft& d) -> Written {
        if (d.scene.regions.empty()) return std::nullopt;
        return write_regions(d.scene.regions);
      }},
     {"beacons", Need::optional, "what devices on the target look at",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        const std::size_t before = r.findings.errors();
        read_beacons(r, p, d.scene.beacons);
        d.known.beacons = r.findings.errors() == before;
      },
-     [](const Draft& d) -> Written {
+     [](const SceneDraft& d) -> Written {
        if (d.scene.beacons.empty()) return std::nullopt;
        return write_beacons(d.scene.beacons);
      }},
     {"devices", Need::required, "what measures",
-     [](Reader& r, const Place& p, Draft& d) { read_devices(r, p, d.known, d.scene); },
-     [](const Draft& d) -> Written { return write_devices(d.scene.devices); }},
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_devices(r, p, d.known, d.scene);
+     },
+     [](const SceneDraft& d) -> Written { return write_devices(d.scene.devices); }},
     {"occluders", Need::optional, "what blocks the sight",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, SceneDraft& d) {
        read_occluders(r, p, d.scene.occluders);
      },
-     [](const Draft& d) -> Written {
+     [](const SceneDraft& d) -> Written {
        if (d.scene.occluders.empty()) return std::nullopt;
        return write_occluders(d.scene.occluders);
      }},
     {"skin", Need::optional,
      "how near to the ends of a sight line nothing hides, metres", read_skin,
-     [](const Draft& d) -> Written {
+     [](const SceneDraft& d) -> Written {
        if (d.scene.skin == Scene{}.skin) return std::nullopt;
        return to_node(d.scene.skin);
      }},
     // Read last, by read_search(): they are about the whole scene.
     {"variables", Need::optional, "what a search may change", nullptr,
-     [](const Draft& d) { return write_variables(d.scene); }},
+     [](const SceneDraft& d) { return write_variables(d.scene); }},
     {"constraints", Need::optional, "what a search must keep", nullptr,
-     [](const Draft& d) { return write_constraints(d.scene); }},
+     [](const SceneDraft& d) { return write_constraints(d.scene); }},
     {"objective", Need::optional, "what a search makes small", nullptr,
-     [](const Draft& d) { return write_objective(d.scene); }},
+     [](const SceneDraft& d) { return write_objective(d.scene); }},
     {"selection", Need::optional, "what can be chosen, and how much of it", nullptr,
-     [](const Draft& d) { return write_selection(d.scene); }},
+     [](const SceneDraft& d) { return write_selection(d.scene); }},
 }};
 
 /// Two devices whose rates differ, or null.
@@ -222,7 +232,7 @@ void check_orientations(Reader& reader, const Place& root) {
 }
 
 /// The value that samples gather around is one of the metric, which is known only now.
-void read_near_metric(Reader& reader, const Place& root, Draft& draft) {
+void read_near_metric(Reader& reader, const Place& root, SceneDraft& draft) {
   const Node* sample = root.node().find("sample");
   if (!sample || !draft.known.motion) return;
   const auto metric = parse_metric(draft.scene.metric, draft.scene.motion.layout);
@@ -247,7 +257,7 @@ void read_search(Reader& reader, const Place& root, Scene& scene) {
 }  // namespace
 
 Scene read_scene(Reader& reader, const Node& root) {
-  Draft draft;
+  SceneDraft draft;
   const Place place(root);
   if (root.kind == Node::Kind::null) {
     reader.error(place, "the scene is empty; begin the file with 'delos: 1'");
@@ -265,6 +275,8 @@ Scene read_scene(Reader& reader, const Node& root) {
   return std::move(draft.scene);
 }
 
-Node scene_node(const Scene& scene) { return write_map(kSceneKeys, Draft{scene, {}}); }
+Node scene_node(const Scene& scene) {
+  return write_map(kSceneKeys, SceneDraft{scene, {}});
+}
 
 }  // namespace delos

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "delos/scene/scene.h"
-#include "scene/keys.h"
+#include "document/keys.h"
 
 namespace delos {
 

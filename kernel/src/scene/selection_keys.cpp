@@ -3,8 +3,8 @@
 
 #include "delos/scene/candidates.h"
 #include "delos/scene/number.h"
-#include "delos/scene/units.h"
-#include "scene/node_text.h"
+#include "delos/text/units.h"
+#include "document/node_text.h"
 #include "scene/sample_shapes.h"
 #include "scene/search_keys.h"
 
@@ -23,7 +23,7 @@ constexpr std::pair<const char*, bool> kYesOrNo[] = {
     {"yes", true}, {"true", true}, {"no", false}, {"false", false}};
 
 /// A set of candidates while it is read: the keys of a kind stand beside it.
-struct Draft {
+struct CandidateDraft {
   const Scene* scene = nullptr;
   CandidateSet set;
   std::string kind;  ///< the key that gave it
@@ -31,11 +31,11 @@ struct Draft {
 };
 
 template <class Kind>
-Kind* as(Draft& draft) {
+Kind* as(CandidateDraft& draft) {
   return std::get_if<Kind>(&draft.set.what);
 }
 template <class Kind>
-const Kind* as(const Draft& draft) {
+const Kind* as(const CandidateDraft& draft) {
   return std::get_if<Kind>(&draft.set.what);
 }
 
@@ -60,7 +60,8 @@ Node words_node(const std::vector<std::string>& words) {
 }
 
 template <class Kind>
-void begin(Reader& reader, const Place& at, const char* key, Draft& out, Kind kind) {
+void begin(Reader& reader, const Place& at, const char* key, CandidateDraft& out,
+           Kind kind) {
   if (!out.kind.empty())
     reader.error(at, "the candidates are given by '" + out.kind +
                          "' already; write "
@@ -69,7 +70,7 @@ void begin(Reader& reader, const Place& at, const char* key, Draft& out, Kind ki
   out.set.what = std::move(kind);
 }
 
-void read_devices(Reader& reader, const Place& at, Draft& out) {
+void read_devices(Reader& reader, const Place& at, CandidateDraft& out) {
   CandidateDevices devices;
   const std::vector<std::string> patterns = read_words(reader, at);
   if (!patterns.empty()) {
@@ -93,7 +94,7 @@ void check_name(Reader& reader, const Place& at, const std::vector<Entry>& entri
                                         : suggestion(name, known)));
 }
 
-void read_beacon_set(Reader& reader, const Place& at, Draft& out) {
+void read_beacon_set(Reader& reader, const Place& at, CandidateDraft& out) {
   CandidateBeacons beacons;
   if (auto name = reader.word(at)) {
     check_name(reader, at, out.scene->beacons, *name, "set of beacons");
@@ -102,7 +103,7 @@ void read_beacon_set(Reader& reader, const Place& at, Draft& out) {
   begin(reader, at, "beacons", out, std::move(beacons));
 }
 
-void read_copies(Reader& reader, const Place& at, Draft& out) {
+void read_copies(Reader& reader, const Place& at, CandidateDraft& out) {
   CandidateCopies copies;
   if (auto name = reader.word(at)) {
     check_name(reader, at, out.scene->devices, *name, "device");
@@ -116,7 +117,7 @@ void read_copies(Reader& reader, const Place& at, Draft& out) {
 
 /// Something that says more about a kind. Null, with a finding, where it is another.
 template <class Kind>
-Kind* part_of(Reader& reader, const Place& at, Draft& out, const char* of) {
+Kind* part_of(Reader& reader, const Place& at, CandidateDraft& out, const char* of) {
   Kind* kind = as<Kind>(out);
   if (!kind || out.kind != of) {
     reader.error(at, std::string("is of '") + of + "', which isn't given");
@@ -125,7 +126,7 @@ Kind* part_of(Reader& reader, const Place& at, Draft& out, const char* of) {
   return kind;
 }
 
-void read_by(Reader& reader, const Place& at, Draft& out) {
+void read_by(Reader& reader, const Place& at, CandidateDraft& out) {
   auto* beacons = part_of<CandidateBeacons>(reader, at, out, "beacons");
   const auto by = reader.choice(at, kGroupingWords);
   if (!beacons || !by) return;
@@ -136,7 +137,7 @@ void read_by(Reader& reader, const Place& at, Draft& out) {
       reader.error(at, "rows, columns and panels are of a grid; use beacon");
 }
 
-void read_spots(Reader& reader, const Place& at, Draft& out, const char* key) {
+void read_spots(Reader& reader, const Place& at, CandidateDraft& out, const char* key) {
   auto* copies = part_of<CandidateCopies>(reader, at, out, "copies_of");
   if (!copies) return;
   const std::string kind = key;
@@ -155,7 +156,7 @@ void read_spots(Reader& reader, const Place& at, Draft& out, const char* key) {
   }
 }
 
-void read_counts(Reader& reader, const Place& at, Draft& out) {
+void read_counts(Reader& reader, const Place& at, CandidateDraft& out) {
   auto* copies = part_of<CandidateCopies>(reader, at, out, "copies_of");
   auto* on = copies ? std::get_if<SurfaceSpots>(&copies->spots) : nullptr;
   if (copies && !on) reader.error(at, "is of 'surface', which isn't given");
@@ -175,7 +176,7 @@ void read_counts(Reader& reader, const Place& at, Draft& out) {
 }
 
 template <auto kMember>
-void read_facings(Reader& reader, const Place& at, Draft& out) {
+void read_facings(Reader& reader, const Place& at, CandidateDraft& out) {
   auto* copies = part_of<CandidateCopies>(reader, at, out, "copies_of");
   if (!copies) return;
   auto& list = copies->facings.*kMember;
@@ -187,9 +188,9 @@ void read_facings(Reader& reader, const Place& at, Draft& out) {
         list.push_back(*angle);
     if (at.node().items.empty()) reader.error(at, "the list is empty; leave it out");
   } else {
-    constexpr bool kAngles = kMember == &Facings::rpy;
-    if (auto vectors = kAngles ? reader.vectors3(at, "rad", {"roll", "pitch", "yaw"})
-                               : reader.vectors3(at, "m"))
+    constexpr bool kOfAngles = kMember == &Facings::rpy;
+    if (auto vectors =
+            kOfAngles ? reader.vectors3(at, "rad", kAngles) : reader.vectors3(at, "m"))
       list = std::move(*vectors);
   }
 }
@@ -201,14 +202,14 @@ double read_positive(Reader& reader, const Place& at) {
 }
 
 template <class Kind>
-Written write_copies(const Draft& d, Written (*write)(const Kind&)) {
+Written write_copies(const CandidateDraft& d, Written (*write)(const Kind&)) {
   const auto* copies = as<CandidateCopies>(d);
   const auto* kind = copies ? std::get_if<Kind>(&copies->spots) : nullptr;
   return kind ? write(*kind) : std::nullopt;
 }
 
 template <auto kMember>
-Written write_facings(const Draft& d) {
+Written write_facings(const CandidateDraft& d) {
   const auto* copies = as<CandidateCopies>(d);
   if (!copies || (copies->facings.*kMember).empty()) return std::nullopt;
   const auto& list = copies->facings.*kMember;
@@ -222,21 +223,21 @@ Written write_facings(const Draft& d) {
 }
 
 // What a kind needs to know is read first.
-constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
+constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
     {"devices", Need::optional, "devices of the scene; * is any part of a name",
      read_devices,
-     [](const Draft& d) -> Written {
+     [](const CandidateDraft& d) -> Written {
        const auto* devices = as<CandidateDevices>(d);
        return devices ? Written(words_node(devices->devices)) : std::nullopt;
      }},
     {"beacons", Need::optional, "a set of beacons", read_beacon_set,
-     [](const Draft& d) -> Written {
+     [](const CandidateDraft& d) -> Written {
        const auto* beacons = as<CandidateBeacons>(d);
        return beacons ? Written(to_node(beacons->set)) : std::nullopt;
      }},
     {"by", Need::optional,
      "what is chosen of the beacons as one: beacon, row, column or panel", read_by,
-     [](const Draft& d) -> Written {
+     [](const CandidateDraft& d) -> Written {
        const auto* beacons = as<CandidateBeacons>(d);
        if (!beacons) return std::nullopt;
        for (const auto& [word, by] : kGroupingWords)
@@ -246,19 +247,21 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
     {"copies_of", Need::optional,
      "a device of which copies may stand at many spots; it is only their pattern",
      read_copies,
-     [](const Draft& d) -> Written {
+     [](const CandidateDraft& d) -> Written {
        const auto* copies = as<CandidateCopies>(d);
        return copies ? Written(to_node(copies->of)) : std::nullopt;
      }},
     {"grid", Need::optional, "spots on a regular grid: min, max and step, metres",
-     [](Reader& r, const Place& p, Draft& d) { read_spots(r, p, d, "grid"); },
-     [](const Draft& d) {
+     [](Reader& r, const Place& p, CandidateDraft& d) { read_spots(r, p, d, "grid"); },
+     [](const CandidateDraft& d) {
        return write_copies<VolumeSampling>(
            d, [](const VolumeSampling& g) -> Written { return write_volume(g); });
      }},
     {"points", Need::optional, "spots one by one, [[x, y, z], …], metres",
-     [](Reader& r, const Place& p, Draft& d) { read_spots(r, p, d, "points"); },
-     [](const Draft& d) {
+     [](Reader& r, const Place& p, CandidateDraft& d) {
+       read_spots(r, p, d, "points");
+     },
+     [](const CandidateDraft& d) {
        return write_copies<std::vector<Eigen::Vector3d>>(
            d, [](const std::vector<Eigen::Vector3d>& v) -> Written {
              if (v.empty()) return std::nullopt;
@@ -266,14 +269,16 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
            });
      }},
     {"surface", Need::optional, "a surface with spots spread over it",
-     [](Reader& r, const Place& p, Draft& d) { read_spots(r, p, d, "surface"); },
-     [](const Draft& d) {
+     [](Reader& r, const Place& p, CandidateDraft& d) {
+       read_spots(r, p, d, "surface");
+     },
+     [](const CandidateDraft& d) {
        return write_copies<SurfaceSpots>(
            d, [](const SurfaceSpots& s) -> Written { return to_node(s.surface); });
      }},
     {"counts", Need::optional, "spots of a surface along u and v, or along a rail",
      read_counts,
-     [](const Draft& d) {
+     [](const CandidateDraft& d) {
        return write_copies<SurfaceSpots>(d, [](const SurfaceSpots& s) -> Written {
          std::vector<Node> list;
          for (const int n : s.counts) list.push_back(to_node(n));
@@ -290,26 +295,28 @@ constexpr std::array<Key<Draft>, 14> kCandidateKeys = {{
      read_facings<&Facings::tilts>, write_facings<&Facings::tilts>},
     {"one_per_spot", Need::optional,
      "whether at most one of a spot's facings is chosen: yes (default) or no",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, CandidateDraft& d) {
        auto* copies = part_of<CandidateCopies>(r, p, d, "copies_of");
        const auto one = r.choice(p, kYesOrNo);
        if (copies && one) copies->one_per_spot = *one;
      },
-     [](const Draft& d) -> Written {
+     [](const CandidateDraft& d) -> Written {
        const auto* copies = as<CandidateCopies>(d);
        if (!copies || copies->one_per_spot) return std::nullopt;
        return to_node("no");
      }},
     {"cost", Need::optional, "what each costs, in any unit; 1",
-     [](Reader& r, const Place& p, Draft& d) { d.set.cost = read_positive(r, p); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, CandidateDraft& d) {
+       d.set.cost = read_positive(r, p);
+     },
+     [](const CandidateDraft& d) -> Written {
        if (d.set.cost == 1) return std::nullopt;
        return to_node(d.set.cost);
      }},
 }};
 
 /// What only the keys of a set together tell.
-void check_set(Reader& reader, const Place& at, const Draft& draft) {
+void check_set(Reader& reader, const Place& at, const CandidateDraft& draft) {
   if (draft.kind.empty())
     return reader.error(at, "no candidates; give devices, beacons or copies_of");
   const auto* copies = as<CandidateCopies>(draft);
@@ -337,7 +344,7 @@ void read_candidates(Reader& reader, const Place& at, Scene& scene) {
   if (items.empty()) reader.error(at, "the list is empty: there is nothing to choose");
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Place place(at, std::to_string(i), items[i]);
-    Draft draft{&scene, {}, {}, {}};
+    CandidateDraft draft{&scene, {}, {}, {}};
     const std::size_t before = reader.findings.errors();
     if (!read_map(reader, place, kCandidateKeys, draft)) continue;
     if (reader.findings.errors() == before) check_set(reader, place, draft);
@@ -350,7 +357,8 @@ constexpr std::array<Key<Scene>, 6> kSelectionKeys = {{
      [](const Scene& s) -> Written {
        std::vector<Node> list;
        for (const CandidateSet& set : s.selection.candidates)
-         list.push_back(write_map(kCandidateKeys, Draft{nullptr, set, {}, {}}));
+         list.push_back(
+             write_map(kCandidateKeys, CandidateDraft{nullptr, set, {}, {}}));
        return to_node(std::move(list));
      }},
     {"count", Need::optional, "choose at most so many",

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "document/node_text.h"
 #include "scene/mesh_keys.h"
-#include "scene/node_text.h"
-#include "scene/numbers.h"
+#include "text/numbers.h"
 
 namespace delos {
 namespace {
@@ -38,12 +38,12 @@ PatchSurface read_patch(Reader& reader, const Place& at) {
 }
 
 /// A surface while it is read: `scale` and `from` stand beside `mesh`.
-struct Draft {
+struct SurfaceDraft {
   SurfaceEntry surface;
   MeshSurface hull;
 };
 
-void read_rail(Reader& reader, const Place& at, Draft& out) {
+void read_rail(Reader& reader, const Place& at, SurfaceDraft& out) {
   auto points = reader.vectors3(at, "m");
   if (!points) return;
   if (std::all_of(points->begin(), points->end(),
@@ -53,41 +53,45 @@ void read_rail(Reader& reader, const Place& at, Draft& out) {
 }
 
 template <class Shape>
-const Shape* shape_of(const Draft& draft) {
+const Shape* shape_of(const SurfaceDraft& draft) {
   return std::get_if<Shape>(&draft.surface.shape);
 }
 
-constexpr std::array<Key<Draft>, 5> kSurfaceKeys = {{
+constexpr std::array<Key<SurfaceDraft>, 5> kSurfaceKeys = {{
     {"patch", Need::optional, "parallelogram that faces along u × v: origin, u, v",
-     [](Reader& r, const Place& p, Draft& d) { d.surface.shape = read_patch(r, p); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SurfaceDraft& d) {
+       d.surface.shape = read_patch(r, p);
+     },
+     [](const SurfaceDraft& d) -> Written {
        const auto* patch = shape_of<PatchSurface>(d);
        if (!patch) return std::nullopt;
        return write_map(kPatchKeys, *patch);
      }},
     {"rail", Need::optional, "line through points [[x, y, z], …], metres", read_rail,
-     [](const Draft& d) -> Written {
+     [](const SurfaceDraft& d) -> Written {
        const auto* rail = shape_of<RailSurface>(d);
        if (!rail) return std::nullopt;
        return to_node(rail->points);
      }},
     {"mesh", Need::optional, "a .off, .obj, .ply or .stl file, relative to the scene",
-     [](Reader& r, const Place& p, Draft& d) { read_mesh_file(r, p, d.hull.mesh); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SurfaceDraft& d) {
+       read_mesh_file(r, p, d.hull.mesh);
+     },
+     [](const SurfaceDraft& d) -> Written {
        const auto* hull = shape_of<MeshSurface>(d);
        if (!hull) return std::nullopt;
        return to_node(hull->mesh.file);
      }},
     {"scale", Need::optional, "metres per unit of the mesh's file",
-     [](Reader& r, const Place& p, Draft& d) { read_scale(r, p, d.hull.mesh); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SurfaceDraft& d) { read_scale(r, p, d.hull.mesh); },
+     [](const SurfaceDraft& d) -> Written {
        const auto* hull = shape_of<MeshSurface>(d);
        if (!hull) return std::nullopt;
        return write_scale(hull->mesh);
      }},
     {"from", Need::optional, "patch whose points are thrown on the mesh along u × v",
-     [](Reader& r, const Place& p, Draft& d) { d.hull.from = read_patch(r, p); },
-     [](const Draft& d) -> Written {
+     [](Reader& r, const Place& p, SurfaceDraft& d) { d.hull.from = read_patch(r, p); },
+     [](const SurfaceDraft& d) -> Written {
        const auto* hull = shape_of<MeshSurface>(d);
        if (!hull) return std::nullopt;
        return write_map(kPatchKeys, hull->from);
@@ -95,7 +99,8 @@ constexpr std::array<Key<Draft>, 5> kSurfaceKeys = {{
 }};
 
 /// Exactly one shape; `from` and `scale` with a mesh only.
-void check_surface(Reader& reader, const Place& at, Draft& draft, std::size_t before) {
+void check_surface(Reader& reader, const Place& at, SurfaceDraft& draft,
+                   std::size_t before) {
   std::string given;
   for (const char* shape : {"patch", "rail", "mesh"}) {
     const Node* node = at.node().find(shape);
@@ -131,7 +136,7 @@ void read_surfaces(Reader& reader, const Place& at, std::vector<SurfaceEntry>& o
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const Place place(at, node.keys[i].text, node.items[i]);
     const std::size_t before = reader.findings.errors();
-    Draft draft;
+    SurfaceDraft draft;
     draft.surface.name = reader.key_name(at, i);
     if (!read_map(reader, place, kSurfaceKeys, draft)) continue;
     check_surface(reader, place, draft, before);
@@ -144,7 +149,7 @@ Node write_surfaces(const std::vector<SurfaceEntry>& surfaces) {
   map.kind = Node::Kind::map;
   for (const SurfaceEntry& surface : surfaces) {
     map.keys.push_back({surface.name, {}});
-    map.items.push_back(write_map(kSurfaceKeys, Draft{surface, {}}));
+    map.items.push_back(write_map(kSurfaceKeys, SurfaceDraft{surface, {}}));
   }
   return map;
 }

@@ -2,8 +2,8 @@
 #include <map>
 
 #include "delos/scene/number.h"
-#include "delos/scene/units.h"
-#include "scene/node_text.h"
+#include "delos/text/units.h"
+#include "document/node_text.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
 
@@ -16,7 +16,7 @@ constexpr std::pair<const char*, ParamScale> kScaleWords[] = {
     {"uniform", ParamScale::linear}, {"log", ParamScale::log}};
 
 /// A variable while it is read; a pattern makes several of it.
-struct Draft {
+struct VariableDraft {
   Scene* scene = nullptr;
   std::vector<VariableEntry> entries;
   std::vector<SceneNumber> numbers;  ///< one an entry
@@ -37,7 +37,7 @@ bool check_number(Reader& reader, const Place& at, Scene& scene,
   return !problem;
 }
 
-void read_path(Reader& reader, const Place& at, Draft& out) {
+void read_path(Reader& reader, const Place& at, VariableDraft& out) {
   const auto pattern = reader.word(at);
   if (!pattern) return;
   const auto paths = expand_numbers(*out.scene, *pattern, reader.plugins);
@@ -54,7 +54,7 @@ void read_path(Reader& reader, const Place& at, Draft& out) {
 }
 
 /// One number for all entries, or a list that repeats, as a vector's components do.
-void read_bound(Reader& reader, const Place& at, Draft& out,
+void read_bound(Reader& reader, const Place& at, VariableDraft& out,
                 double VariableEntry::*bound) {
   const Node& node = at.node();
   if (node.kind == Node::Kind::list &&
@@ -79,7 +79,8 @@ void read_bound(Reader& reader, const Place& at, Draft& out,
   }
 }
 
-void add_follower(Reader& reader, const Place& at, Draft& out, Follower follower) {
+void add_follower(Reader& reader, const Place& at, VariableDraft& out,
+                  Follower follower) {
   if (out.entries.empty()) return;
   if (out.entries.size() > 1) {
     reader.error(at, "the path means " + std::to_string(out.entries.size()) +
@@ -89,7 +90,7 @@ void add_follower(Reader& reader, const Place& at, Draft& out, Follower follower
   out.entries.front().followers.push_back(std::move(follower));
 }
 
-void read_tie(Reader& reader, const Place& at, Draft& out) {
+void read_tie(Reader& reader, const Place& at, VariableDraft& out) {
   const auto read_one = [&](const Place& place) {
     const auto path = reader.word(place);
     if (path && check_number(reader, place, *out.scene, *path))
@@ -130,7 +131,7 @@ constexpr std::array<Key<FollowerDraft>, 3> kFollowKeys = {{
      [](const FollowerDraft& d) -> Written { return to_node(d.follower.offset); }},
 }};
 
-void read_mirror(Reader& reader, const Place& at, Draft& out) {
+void read_mirror(Reader& reader, const Place& at, VariableDraft& out) {
   FollowerDraft draft{out.scene, {}, 0};
   if (at.node().kind == Node::Kind::scalar) {
     if (!check_number(reader, at, *out.scene, at.node().text)) return;
@@ -141,7 +142,7 @@ void read_mirror(Reader& reader, const Place& at, Draft& out) {
   add_follower(reader, at, out, {draft.follower.path, -1, 2 * draft.about});
 }
 
-void read_follow(Reader& reader, const Place& at, Draft& out) {
+void read_follow(Reader& reader, const Place& at, VariableDraft& out) {
   if (!reader.expect(at, Node::Kind::list, "a list of {path, factor, offset}")) return;
   for (std::size_t i = 0; i < at.node().items.size(); ++i) {
     const Place place(at, std::to_string(i), at.node().items[i]);
@@ -159,35 +160,39 @@ Written write_follow(const VariableEntry& entry) {
   return to_node(std::move(list));
 }
 
-constexpr std::array<Key<Draft>, 7> kVariableKeys = {{
+constexpr std::array<Key<VariableDraft>, 7> kVariableKeys = {{
     {"path", Need::required,
      "a number of the scene, such as devices.s1.at.z; * stands for any part of a name",
      read_path,
-     [](const Draft& d) -> Written { return to_node(d.entries.front().path); }},
+     [](const VariableDraft& d) -> Written { return to_node(d.entries.front().path); }},
     {"lower", Need::optional, "its least value",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, VariableDraft& d) {
        read_bound(r, p, d, &VariableEntry::lower);
      },
-     [](const Draft& d) -> Written { return to_node(d.entries.front().lower); }},
+     [](const VariableDraft& d) -> Written {
+       return to_node(d.entries.front().lower);
+     }},
     {"upper", Need::optional, "its greatest value",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, VariableDraft& d) {
        read_bound(r, p, d, &VariableEntry::upper);
      },
-     [](const Draft& d) -> Written { return to_node(d.entries.front().upper); }},
+     [](const VariableDraft& d) -> Written {
+       return to_node(d.entries.front().upper);
+     }},
     {"scale", Need::optional, "how a search steps: uniform or log",
-     [](Reader& r, const Place& p, Draft& d) {
+     [](Reader& r, const Place& p, VariableDraft& d) {
        const auto scale = r.choice(p, kScaleWords);
        for (VariableEntry& entry : d.entries)
          if (scale) entry.scale = *scale;
      },
-     [](const Draft& d) -> Written {
+     [](const VariableDraft& d) -> Written {
        return to_node(word_of(kScaleWords, d.entries.front().scale));
      }},
     {"tie", Need::optional, "other numbers that take the same value", read_tie},
     {"mirror", Need::optional, "a number that takes the mirrored value: path, about",
      read_mirror},
     {"follow", Need::optional, "numbers that follow: path, factor, offset", read_follow,
-     [](const Draft& d) -> Written { return write_follow(d.entries.front()); }},
+     [](const VariableDraft& d) -> Written { return write_follow(d.entries.front()); }},
 }};
 
 /// What only the bounds and the number together tell.
@@ -230,7 +235,7 @@ void read_variables(Reader& reader, const Place& at, Scene& scene) {
     const Node& node = at.node().items[i];
     const Place place(at, std::to_string(i), node);
     const std::size_t before = reader.findings.errors();
-    Draft draft{&scene, {}, {}};
+    VariableDraft draft{&scene, {}, {}};
     if (!read_map(reader, place, kVariableKeys, draft)) continue;
     if (reader.findings.errors() != before) continue;
     for (std::size_t e = 0; e < draft.entries.size(); ++e) {
@@ -253,7 +258,7 @@ std::optional<Node> write_variables(const Scene& scene) {
   if (scene.variables.empty()) return std::nullopt;
   std::vector<Node> list;
   for (const VariableEntry& entry : scene.variables)
-    list.push_back(write_map(kVariableKeys, Draft{nullptr, {entry}, {}}));
+    list.push_back(write_map(kVariableKeys, VariableDraft{nullptr, {entry}, {}}));
   return to_node(std::move(list));
 }
 

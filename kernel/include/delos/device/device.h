@@ -89,8 +89,8 @@ struct SmoothRows {
   /// distance: above 0 where observe() sees it, below 0 where it doesn't. Continuous.
   double margin = 0;
   Eigen::Vector3d margin_slope = Eigen::Vector3d::Zero();  ///< ∂margin/∂p, 1/m
-  Eigen::Matrix3d H;         ///< row i: Jacobian of reading i with respect to p
-  Eigen::Vector3d variance;  ///< of each row's noise, > 0
+  Eigen::Matrix3d H;               ///< row i: Jacobian of reading i with respect to p
+  Eigen::Vector3d variance;        ///< of each row's noise, > 0
   Eigen::Matrix3d H_slope[3];      ///< ∂H/∂p_k
   Eigen::Matrix3d variance_slope;  ///< row i: ∂variance_i/∂p
 };
@@ -136,8 +136,8 @@ class DELOS_API Device {
                                            RowLanes& out) const;
 
   /// What the device would measure of a point if its view had no edge. Where the point
-  /// is in view, H and the noise are those of observe(); elsewhere anything that goes on
-  /// smoothly, finite everywhere but at the origin.
+  /// is in view, H and the noise are those of observe(); elsewhere anything that goes
+  /// on smoothly, finite everywhere but at the origin.
   /// @param p in S, metres
   /// @returns false where the device has no such entry, as here: searches then take
   ///          differences of observe() and feel no pull at the edges of its view.

@@ -1,5 +1,5 @@
-// A device's parameters: declared once in its plugin, read by the loader, the optimiser,
-// the help and the manual.
+// A device's parameters: declared once in its plugin, read by the loader, the
+// optimiser, the help and the manual.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,12 +31,12 @@ enum class ParamScale : std::uint32_t { linear, log };
 struct ParamSpec {
   const char* name;                    ///< snake_case, the key in a scene
   ParamKind kind = ParamKind::number;  ///< what a scene may write
-  const char* unit = "1";              ///< SI unit of numbers, e.g. "m", "1/m^2"; px for pixels
+  const char* unit = "1";  ///< SI unit of numbers, e.g. "m", "1/m^2"; px for pixels
   double initial = std::numeric_limits<double>::quiet_NaN();  ///< NaN: must be given
-  double lower = -std::numeric_limits<double>::infinity();    ///< least value, inclusive
-  double upper = std::numeric_limits<double>::infinity();     ///< greatest, inclusive
+  double lower = -std::numeric_limits<double>::infinity();  ///< least value, inclusive
+  double upper = std::numeric_limits<double>::infinity();   ///< greatest, inclusive
   ParamScale scale = ParamScale::linear;
-  const char* text = nullptr;     ///< default of a choice, vector or matrix, as in a scene
+  const char* text = nullptr;  ///< default of a choice, vector or matrix, as in a scene
   const char* choices = nullptr;  ///< words of a choice, "one|two|three"
   std::uint32_t length = 0;       ///< length of a vector; 0: any
   const char* help = "";          ///< one sentence

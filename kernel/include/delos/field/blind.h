@@ -9,7 +9,7 @@
 
 #include "delos/api.h"
 #include "delos/field/field.h"
-#include "delos/field/system.h"
+#include "delos/rig/system.h"
 
 namespace delos {
 

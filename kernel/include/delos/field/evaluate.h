@@ -7,12 +7,12 @@
 
 #include "delos/api.h"
 #include "delos/field/field.h"
-#include "delos/field/fusion.h"
-#include "delos/field/layers.h"
-#include "delos/field/system.h"
+#include "delos/layers/layers.h"
 #include "delos/model/metric.h"
+#include "delos/rig/system.h"
 #include "delos/sampling/samples.h"
 #include "delos/scene/scene.h"
+#include "delos/steady/fusion.h"
 
 namespace delos {
 
@@ -23,7 +23,7 @@ struct FieldOptions {
   /// Called now and then, from one thread, with poses done and poses in all.
   std::function<void(std::size_t, std::size_t)> progress;
   const std::atomic<bool>* cancel =
-      nullptr;  ///< set: stop soon and return what there is
+      nullptr;              ///< set: stop soon and return what there is
   bool find_inside = true;  ///< false: leave Field::inside empty
 };
 

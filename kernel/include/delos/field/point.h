@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "delos/api.h"
-#include "delos/field/fusion.h"
-#include "delos/field/system.h"
 #include "delos/model/metric.h"
+#include "delos/rig/system.h"
+#include "delos/steady/fusion.h"
 
 namespace delos {
 

@@ -9,21 +9,13 @@
 #include <vector>
 
 #include "delos/api.h"
-#include "delos/field/system.h"
 #include "delos/model/metric.h"
+#include "delos/model/pose.h"
+#include "delos/rig/system.h"
 #include "delos/sampling/samples.h"
+#include "delos/steady/metric_slopes.h"
 
 namespace delos {
-
-/// Empty where SoftField can differentiate the metric of the system; else a sentence
-/// that says why not.
-[[nodiscard]] DELOS_API std::string slope_problem(const System& system,
-                                                  const Metric& metric);
-
-/// How a number J that depends on a field changes when a device moves.
-/// ∂J/∂[p, φ]: of its place in the world, 1/metres, and of a small turn exp(φ) about
-/// the world's axes, 1/radians.
-using PoseSlope = Eigen::Matrix<double, 6, 1>;
 
 /// Numbers of a field, or slopes of J with respect to them: metrics × samples.
 using FieldValues = std::vector<std::vector<double>>;

@@ -43,4 +43,8 @@ read_mesh(const std::filesystem::path& file,
 [[nodiscard]] DELOS_API TriangleMesh transformed(TriangleMesh mesh, const Pose& X_AB,
                                                  double scale = 1);
 
+/// Told now and then how much of a mesh file has been read, in [0, 1].
+using MeshProgress =
+    std::function<void(const std::filesystem::path& file, double fraction)>;
+
 }  // namespace delos

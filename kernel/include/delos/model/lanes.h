@@ -1,4 +1,5 @@
-// How many poses are worked on side by side, and how their symmetric matrices are stored.
+// How many poses are worked on side by side, and how their symmetric matrices are
+// stored.
 #pragma once
 
 namespace delos {

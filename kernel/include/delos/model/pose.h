@@ -27,6 +27,11 @@ struct Pose {
   friend bool operator==(const Pose&, const Pose&) = default;
 };
 
+/// How a number J that depends on a field changes when a device moves.
+/// ∂J/∂[p, φ]: of its place in the world, 1/metres, and of a small turn exp(φ) about
+/// the world's axes, 1/radians.
+using PoseSlope = Eigen::Matrix<double, 6, 1>;
+
 /// R = Rz(yaw)·Ry(pitch)·Rx(roll) of rpy = (roll, pitch, yaw) in radians.
 [[nodiscard]] DELOS_API Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
 

@@ -13,8 +13,9 @@
 
 namespace delos {
 
-/// Where plugins are looked for, first match wins: `extra` (--plugin-dir), then the colon-
-/// separated DELOS_PLUGIN_PATH, then the folder `delos` beside the kernel's library.
+/// Where plugins are looked for, first match wins: `extra` (--plugin-dir), then the
+/// colon- separated DELOS_PLUGIN_PATH, then the folder `delos` beside the kernel's
+/// library.
 [[nodiscard]] DELOS_API std::vector<std::filesystem::path> plugin_folders(
     const std::vector<std::filesystem::path>& extra = {});
 
@@ -29,7 +30,8 @@ struct PluginLoad {
 /// since devices and tables live in them.
 class DELOS_API PluginRegistry {
  public:
-  explicit PluginRegistry(std::vector<std::filesystem::path> folders = plugin_folders());
+  explicit PluginRegistry(
+      std::vector<std::filesystem::path> folders = plugin_folders());
 
   /// The plugin with this id: `<folder>/<id>.so` in the first folder that has it.
   /// The stamp is compared before any C++ object is touched. The answer is kept.
@@ -51,12 +53,13 @@ class DELOS_API PluginRegistry {
 };
 
 /// Compare a plugin's stamp with the kernel's, field by field.
-/// @returns empty where they agree; else which field differs, both values, and what to do.
+/// @returns empty where they agree; else which field differs, both values, and what to
+/// do.
 [[nodiscard]] DELOS_API std::string stamp_difference(const AbiStamp& plugin);
 
 /// Create a device.
 /// @throws std::exception what the plugin's constructor throws, when values clash.
-[[nodiscard]] DELOS_API std::shared_ptr<const Device> make_device(const PluginInfo& info,
-                                                                  const ParamValues& params);
+[[nodiscard]] DELOS_API std::shared_ptr<const Device> make_device(
+    const PluginInfo& info, const ParamValues& params);
 
 }  // namespace delos

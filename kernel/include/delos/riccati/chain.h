@@ -7,18 +7,13 @@
 #include <Eigen/Core>
 
 #include "delos/api.h"
+#include "delos/model/covariance_kind.h"
 
 namespace delos {
 
 /// k×k covariance or derivative of a scalar chain, k ≤ 3, stored inline.
 using ChainMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
-
-/// Which instant of the steady cycle a covariance describes.
-enum class CovarianceKind {
-  prior,      ///< predicted, just before the measurements of an update
-  posterior,  ///< just after them
-};
 
 /// Steady-state covariance of the chain of one coordinate, driven by unit white noise.
 ///

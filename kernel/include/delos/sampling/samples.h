@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "delos/api.h"
-#include "delos/scene/scene.h"
+#include "delos/sampling/sets.h"
 
 namespace delos {
 

@@ -2,31 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "delos/document/diagnostic.h"
+#include "delos/document/override.h"
+#include "delos/geometry/mesh.h"
 #include "delos/plugin/registry.h"
-#include "delos/scene/diagnostic.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
-
-/// A change of one value before a scene is checked: "devices.s1.at.z" = "1.2 m".
-struct Override {
-  std::string path;
-  std::string value;
-};
-
-/// "PATH=VALUE" as the command line writes it; nullopt where there is no '=' or no
-/// path.
-[[nodiscard]] DELOS_API std::optional<Override> parse_override(std::string_view text);
-
-/// Told now and then how much of a mesh file has been read, in [0, 1].
-using MeshProgress =
-    std::function<void(const std::filesystem::path& file, double fraction)>;
 
 /// Read a scene file.
 ///
@@ -52,8 +39,8 @@ using MeshProgress =
 /// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
 [[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
 
-/// Write the scene to a file, whole or not at all. Files that it names by relative paths
-/// are found from the new place too.
+/// Write the scene to a file, whole or not at all. Files that it names by relative
+/// paths are found from the new place too.
 /// @param folder where the scene's relative paths start now
 /// @returns empty, or a sentence that says why it was not written
 [[nodiscard]] DELOS_API std::string save_scene(Scene scene,

@@ -22,7 +22,7 @@ struct Robustness {
   /// Standard deviation of the logarithm of a device's noise.
   double noise = 0;
   int draws = 16;  ///< of mounting and noise, ≥ 1
-  int seed = 1;  ///< ≥ 0
+  int seed = 1;    ///< ≥ 0
   DrawRule combine = DrawRule::mean;
 
   /// Whether anything is drawn.

@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "delos/device/parameters.h"
-#include "delos/geometry/mesh.h"
+#include "delos/geometry/body.h"
+#include "delos/model/covariance_kind.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
-#include "delos/riccati/chain.h"
-#include "delos/scene/grid.h"
+#include "delos/sampling/grid.h"
+#include "delos/sampling/sets.h"
 #include "delos/scene/search.h"
 #include "delos/scene/selection.h"
 
@@ -32,76 +33,6 @@ enum class Fusion {
   periodic,    ///< exact, over the cycle in which all rates repeat
   sequential,  ///< one device per update, round robin
   artemis,     ///< the papers' sum of Ψ matrices, for comparison with published plots
-};
-
-/// How several target orientations at one point become one value.
-enum class OrientationRule {
-  worst,        ///< the worst value
-  mean,         ///< the mean of the values
-  information,  ///< the value of the mean information: visibility as a probability
-};
-
-/// counts[0]×counts[1] samples on the parallelogram origin + a·u + b·v, a and b in [0,
-/// 1].
-struct PlaneSampling {
-  Eigen::Vector3d origin, u, v;  ///< metres
-  Eigen::Vector2i counts;        ///< ≥ 1 each
-  friend bool operator==(const PlaneSampling&, const PlaneSampling&) = default;
-};
-
-/// Given points; `file` is the .ptl or .csv they were read from, empty when inline.
-struct PointSampling {
-  std::string file;                     ///< as written, relative to the scene's folder
-  std::vector<Eigen::Vector3d> points;  ///< metres
-  friend bool operator==(const PointSampling&, const PointSampling&) = default;
-};
-
-/// A mesh in a file. Copies share what was read, and equal names and scales are equal:
-/// within one scene a file is read once.
-struct MeshShape {
-  std::string file;  ///< as written, relative to the scene's folder; see read_mesh()
-  double scale = 1;  ///< metres per unit of the file, > 0
-  /// As it is in the file, in the file's unit. Never null in a loaded scene.
-  std::shared_ptr<const TriangleMesh> mesh;
-  friend bool operator==(const MeshShape& a, const MeshShape& b) {
-    return a.file == b.file && a.scale == b.scale;
-  }
-};
-
-/// The vertices of a mesh that is placed in the world.
-struct MeshSampling {
-  MeshShape surface;
-  friend bool operator==(const MeshSampling&, const MeshSampling&) = default;
-};
-
-/// A box sampled by an octree, only as finely as the field needs.
-struct AdaptiveSampling {
-  Eigen::Vector3d min;      ///< metres
-  Eigen::Vector3d max;      ///< metres, > min
-  double tolerance = 0.02;  ///< relative error of the metric where it is smooth, > 0
-  int depth = 6;            ///< most halvings of the box, 1 to 12
-  std::optional<std::int64_t> evaluations;  ///< stop at about so many, > 0
-  std::optional<double> seconds;            ///< stop after about so long, > 0
-  std::optional<double> near_value;  ///< refine only around this metric's value, SI
-  std::optional<Eigen::AlignedBox3d> within;  ///< refine only inside, metres
-  friend DELOS_API bool operator==(const AdaptiveSampling& a,
-                                   const AdaptiveSampling& b);
-};
-
-/// One named set of sample points.
-struct SampleSet {
-  std::string name;  ///< may be empty
-  std::variant<VolumeSampling, PlaneSampling, PointSampling, MeshSampling,
-               AdaptiveSampling>
-      shape;
-  friend bool operator==(const SampleSet&, const SampleSet&) = default;
-};
-
-/// Target orientations tried at every sample point.
-struct Orientations {
-  std::vector<Eigen::Vector3d> rpy = {Eigen::Vector3d::Zero()};  ///< radians
-  OrientationRule combine = OrientationRule::worst;
-  friend bool operator==(const Orientations&, const Orientations&) = default;
 };
 
 /// An orientation as the user gave it, so that a moved device keeps its aim.
@@ -133,27 +64,6 @@ struct Group {
   Placement placement;
   friend bool operator==(const Group&, const Group&) = default;
 };
-
-/// Bodies in their own frame, metres.
-struct BoxShape {  ///< along the axes, min < max
-  Eigen::Vector3d min = Eigen::Vector3d::Zero(), max = Eigen::Vector3d::Zero();
-  friend bool operator==(const BoxShape&, const BoxShape&) = default;
-};
-struct CylinderShape {  ///< about the z axis, from z = 0 up
-  double radius = 0, height = 0;
-  int sides = 32;
-  friend bool operator==(const CylinderShape&, const CylinderShape&) = default;
-};
-struct SphereShape {  ///< about the origin
-  double radius = 0;
-  friend bool operator==(const SphereShape&, const SphereShape&) = default;
-};
-struct PrismShape {  ///< a polygon in the xy plane, from z = 0 up
-  std::vector<Eigen::Vector2d> polygon;
-  double height = 0;
-  friend bool operator==(const PrismShape&, const PrismShape&) = default;
-};
-using Body = std::variant<BoxShape, CylinderShape, SphereShape, PrismShape, MeshShape>;
 
 /// What something is fixed to.
 enum class Mount {
@@ -327,10 +237,6 @@ struct Scene {
 
 /// The beacons of a set that are lit, in the order of the grid, x fastest, or the list.
 [[nodiscard]] DELOS_API std::vector<Beacon> lit_beacons(const BeaconSet& set);
-
-/// The body as triangles in its own frame, metres: scaled, not placed.
-/// @pre the body came from a loaded scene, or would pass the loader's checks
-[[nodiscard]] DELOS_API TriangleMesh body_mesh(const Body& body);
 
 /// The point of a surface at these coordinates.
 /// @returns nullopt where the ray of a mesh surface hits nothing

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "delos/scene/grid.h"
+#include "delos/sampling/grid.h"
 
 namespace delos {
 

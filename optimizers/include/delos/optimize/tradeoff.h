@@ -46,7 +46,7 @@ using SearchesDone = std::function<void(std::size_t done, std::size_t of)>;
 [[nodiscard]] double& constraint_limit(Scene& scene, const std::string& constraint);
 
 /// The best design that was found for one number of devices.
-struct CountPoint {
+struct DeviceCountPoint {
   std::size_t devices = 0;
   double price = 0;      ///< of all devices
   double objective = 0;  ///< on all samples
@@ -70,16 +70,15 @@ using Prices = std::map<std::string, double>;
 /// @returns a point for each number, the least first
 /// @throws std::invalid_argument as optimize(); a device that the variables move moves
 ///         others with it; none has variables of its own; or too few would be left
-[[nodiscard]] std::vector<CountPoint> search_counts(const Scene& scene,
-                                                    PluginRegistry& plugins,
-                                                    std::size_t from, std::size_t to,
-                                                    const Prices& prices,
-                                                    const OptimizeOptions& options,
-                                                    const SearchesDone& progress = {});
+[[nodiscard]] std::vector<DeviceCountPoint> search_counts(
+    const Scene& scene, PluginRegistry& plugins, std::size_t from, std::size_t to,
+    const Prices& prices, const OptimizeOptions& options,
+    const SearchesDone& progress = {});
 
 /// The inverse question: the cheapest kit that keeps all constraints, such as "eigmax
 /// at most 1 mm everywhere"; of equal prices the better one.
 /// @returns null where none does
-[[nodiscard]] const CountPoint* cheapest_kept(const std::vector<CountPoint>& points);
+[[nodiscard]] const DeviceCountPoint* cheapest_kept(
+    const std::vector<DeviceCountPoint>& points);
 
 }  // namespace delos

@@ -1,0 +1,15 @@
+# delos_build_by_room(<target> <base> <sources>...): compile the sources of one folder as
+# one unit, since reading headers is most of what a small source costs. A folder of more
+# than `most` sources makes several units, so that two cores have something to share.
+function(delos_build_by_room target base)
+  set(most 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(source ${ARGN})
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${base} OUTPUT_VARIABLE room)
+    string(MAKE_C_IDENTIFIER "${room}" room)
+    math(EXPR count_${room} "0${count_${room}} + 1")
+    math(EXPR part "(${count_${room}} - 1) / ${most} + 1")
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${part})
+  endforeach()
+endfunction()

@@ -1,0 +1,186 @@
+#include "document/override.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include "document/reader.h"
+
+namespace delos {
+namespace {
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> segments;
+  for (std::size_t begin = 0;;) {
+    const std::size_t dot = std::min(path.find('.', begin), path.size());
+    segments.push_back(path.substr(begin, dot - begin));
+    if (dot == path.size()) return segments;
+    begin = dot + 1;
+  }
+}
+
+/// Names of a list's components, by the key that the list stands under.
+std::vector<std::string> components(const std::string& key) {
+  if (key == "rpy") return {"roll", "pitch", "yaw"};
+  if (key == "quaternion_wxyz") return {"w", "x", "y", "z"};
+  return {"x", "y", "z"};
+}
+
+bool is_list(const Node& node) { return node.kind == Node::Kind::list; }
+
+bool is_vector(const Node& list) {
+  return is_list(list) &&
+         std::none_of(list.items.begin(), list.items.end(), [](const Node& item) {
+           return item.kind == Node::Kind::map || item.kind == Node::Kind::list;
+         });
+}
+
+/// The member of a list that a segment means.
+Node* find_member(Node& list, const std::string& segment, const std::string& key) {
+  for (Node& item : list.items) {
+    const Node* name = item.find("name");
+    if (name && name->kind == Node::Kind::scalar && name->text == segment) return &item;
+  }
+  std::size_t index = list.items.size();
+  const char* end = segment.data() + segment.size();
+  const auto parsed = std::from_chars(segment.data(), end, index);
+  if (parsed.ec != std::errc{} || parsed.ptr != end) {
+    if (!is_vector(list)) return nullptr;
+    const auto names = components(key);
+    index = static_cast<std::size_t>(std::find(names.begin(), names.end(), segment) -
+                                     names.begin());
+    if (index == names.size()) return nullptr;
+  }
+  return index < list.items.size() ? &list.items[index] : nullptr;
+}
+
+/// What could have been meant instead of a member that isn't there.
+std::string members_text(const Node& list, const std::string& segment,
+                         const std::string& key) {
+  std::vector<std::string> known;
+  for (const Node& item : list.items)
+    if (const Node* name = item.find("name"); name && !name->text.empty())
+      known.push_back(name->text);
+  if (known.empty() && is_vector(list)) known = components(key);
+  if (!known.empty()) return suggestion(segment, known);
+  return list.items.empty()
+             ? "; the list is empty"
+             : "; members are 0 to " + std::to_string(list.items.size() - 1);
+}
+
+/// Walks down a path and says where it ends.
+class Walk {
+ public:
+  Walk(const std::string& path, Mark where, Findings& findings)
+      : segments_(split(path)), where_(where), findings_(findings) {}
+
+  /// The node to replace; null, with a finding, where the path leads nowhere.
+  Node* find(Node& root) {
+    Node* node = &root;
+    std::string key;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (segments_[i].empty()) return fail(i, "a part of the path is empty");
+      Node* next = step(*node, i, key);
+      if (!next) return nullptr;
+      if (node->kind == Node::Kind::map) key = segments_[i];
+      node = next;
+    }
+    return node;
+  }
+
+ private:
+  Node* step(Node& node, std::size_t i, const std::string& key) {
+    const std::string& segment = segments_[i];
+    if (segment == "+" && (node.kind == Node::Kind::null || is_list(node))) {
+      node.kind = Node::Kind::list;
+      node.items.emplace_back().mark = where_;
+      return &node.items.back();
+    }
+    if (node.kind == Node::Kind::null) node.kind = Node::Kind::map;
+    if (node.kind == Node::Kind::scalar)
+      return fail(i, "there is nothing inside a single value");
+    if (is_list(node)) {
+      Node* member = find_member(node, segment, key);
+      return member ? member
+                    : fail(i, "there is no such member" +
+                                  members_text(node, segment, key));
+    }
+    if (Node* value = node.find(segment)) return value;
+    return add(node, i);
+  }
+
+  Node* add(Node& map, std::size_t i) {
+    const std::string& segment = segments_[i];
+    for (const auto& [key, member] :
+         {std::pair{"groups", "group"}, {"surfaces", "surface"}, {"regions", "region"}})
+      if (i == 1 && segments_[0] == key)
+        return fail(
+            i, std::string("there is no such ") + member + keys_text(map, segment));
+    if (i + 1 < segments_.size()) {
+      const auto axes = components({});
+      const bool of_vector =
+          std::find(axes.begin(), axes.end(), segments_[i + 1]) != axes.end();
+      // `at` is the origin where it isn't given; no other vector is known to be
+      // anything.
+      if (of_vector && segment != "at")
+        return fail(i, "isn't given, so one component can't be set; set it whole");
+      Node& value = append(map, segment);
+      if (of_vector) {
+        value.kind = Node::Kind::list;
+        const Node zero{Node::Kind::scalar, value.mark, "0", {}, {}};
+        value.items.assign(axes.size(), zero);
+      }
+      return &value;
+    }
+    return &append(map, segment);
+  }
+
+  Node& append(Node& map, const std::string& key) {
+    map.keys.push_back({key, where_});
+    map.items.emplace_back();
+    map.items.back().mark = where_;
+    return map.items.back();
+  }
+
+  static std::string keys_text(const Node& map, const std::string& segment) {
+    std::vector<std::string> known;
+    for (const Node::Key& key : map.keys) known.push_back(key.text);
+    return suggestion(segment, known);
+  }
+
+  Node* fail(std::size_t i, const std::string& problem) {
+    std::string path = segments_[0];
+    for (std::size_t j = 1; j <= i; ++j) path += '.' + segments_[j];
+    findings_.error(where_, path, problem);
+    return nullptr;
+  }
+
+  std::vector<std::string> segments_;
+  Mark where_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+void replace_value(Node& root, const std::string& path, Node value, Mark where,
+                   Findings& findings) {
+  if (Node* node = Walk(path, where, findings).find(root)) *node = std::move(value);
+}
+
+void apply_override(Node& root, const Override& change, Findings& findings) {
+  const int source = findings.add_source("--set " + change.path);
+  auto value = parse_yaml(change.value, source, false, findings);
+  if (!value) return;
+  replace_value(root, change.path, std::move(*value), {source, 0, 0}, findings);
+}
+
+std::optional<Override> parse_override(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos || equals == 0) return std::nullopt;
+  return Override{std::string(text.substr(0, equals)),
+                  std::string(text.substr(equals + 1))};
+}
+
+}  // namespace delos

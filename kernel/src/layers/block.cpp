@@ -1,0 +1,139 @@
+#include "layers/block.h"
+
+#include <algorithm>
+
+#include "observe/beacon_sightings.h"
+#include "observe/measure.h"
+#include "observe/point_rows.h"
+
+namespace delos {
+namespace {
+
+std::vector<double> fusion_weights(const System& system) {
+  std::vector<double> weights;
+  for (const PlacedDevice& d : system.devices) {
+    weights.push_back(system.fusion == Fusion::continuous ? 1 / d.period : 1.0);
+  }
+  return weights;
+}
+
+/// S = Σ hᵀ h / r over the rows of independent noise, pose by pose.
+void observe_poses(const System& system, const PlacedDevice& placed, int columns,
+                   std::span<const TargetPose> poses, double* layer,
+                   std::uint64_t& seen, std::uint64_t& perfect) {
+  MeasureScratch scratch;
+  for (std::size_t lane = 0; lane < poses.size(); ++lane) {
+    const std::uint64_t bit = std::uint64_t{1} << lane;
+    const auto noisy = [&](const auto& row, double variance) {
+      const double weight = 1 / variance;
+      for (int i = 0; i < columns; ++i) {
+        const double scaled = weight * row(i);
+        for (int j = 0; j <= i; ++j) {
+          layer[static_cast<std::size_t>(packed_index(i, j)) * kLanes + lane] +=
+              scaled * row(j);
+        }
+      }
+    };
+    const auto exact = [&](const auto&) { perfect |= bit; };
+    const bool sees =
+        measure(system, placed, poses[lane], columns, scratch,
+                [&](const StateRows& rows, const decltype(Observation::R)& R) {
+                  whiten(rows, R, noisy, exact);
+                });
+    if (sees) seen |= bit;
+  }
+}
+
+/// The same of a device on the target and the beacons that it sees.
+void observe_beacons(const System& system, const PlacedDevice& placed, int coordinates,
+                     std::span<const TargetPose> poses, double* layer,
+                     std::uint64_t& seen, std::uint64_t& perfect) {
+  BeaconSightings sightings;
+  std::size_t found = 0;  // poses that there are candidates for
+  for (std::size_t lane = 0; lane < poses.size(); ++lane) {
+    const std::uint64_t bit = std::uint64_t{1} << lane;
+    double S[packed_index(kMaxCoordinates, 0)] = {};
+    if (lane == found) found += sightings.candidates.find(placed, poses.subspan(lane));
+    see_candidates(system, placed, poses[lane], sightings);
+    if (!sightings.all.empty()) seen |= bit;
+    if (add_information(sightings, coordinates, S)) perfect |= bit;
+    for (int e = 0; e < packed_index(coordinates, 0); ++e) {
+      layer[static_cast<std::size_t>(e) * kLanes + lane] = S[e];
+    }
+  }
+}
+
+/// The same for all poses side by side, where the device has an entry for that.
+bool observe_lanes(const System& system, const PlacedDevice& placed,
+                   std::span<const TargetPose> poses, double* layer,
+                   std::uint64_t& seen, std::uint64_t& perfect) {
+  PointRows rows;
+  for (const Eigen::Vector3d& marker : system.markers) {
+    if (!observe_rows(system, placed, marker, poses, nullptr, rows)) return false;
+    add_information(rows, system.motion.layout.coordinates(), rows.seen(), layer);
+    seen |= rows.seen();
+    perfect |= rows.perfect & rows.seen();
+  }
+  return true;
+}
+
+}  // namespace
+
+LayerShape::LayerShape(const System& system)
+    : devices(system.devices.size()),
+      groups((devices + kGroup - 1) / kGroup),
+      columns(information_size(system)),
+      stride(static_cast<std::size_t>(packed_index(columns, 0)) * kLanes),
+      weights(fusion_weights(system)) {}
+
+void clear_block(const LayerShape& shape, int lanes, LayerBlock& block) {
+  block.lanes = lanes;
+  block.layers.assign(shape.devices * shape.stride, 0.0);
+  block.groups.resize(shape.groups * shape.stride);
+  block.total.resize(shape.stride);
+  block.seen.assign(shape.devices, 0);
+  block.perfect.assign(shape.devices, 0);
+}
+
+void observe_device(const System& system, const LayerShape& shape, std::size_t device,
+                    std::span<const TargetPose> poses, LayerBlock& block) {
+  const PlacedDevice& placed = system.devices[device];
+  double* layer = block.layers.data() + device * shape.stride;
+  std::fill_n(layer, shape.stride, 0.0);
+  std::uint64_t &seen = block.seen[device], &perfect = block.perfect[device];
+  seen = perfect = 0;
+  if (placed.beacons) {
+    observe_beacons(system, placed, system.motion.layout.coordinates(), poses, layer,
+                    seen, perfect);
+    return;
+  }
+  if (observe_lanes(system, placed, poses, layer, seen, perfect)) return;
+  observe_poses(system, placed, shape.columns, poses, layer, seen, perfect);
+}
+
+void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block) {
+  double* sum = block.groups.data() + group * shape.stride;
+  std::fill_n(sum, shape.stride, 0.0);
+  const std::size_t end = std::min(shape.devices, (group + 1) * kGroup);
+  for (std::size_t i = group * kGroup; i < end; ++i) {
+    if (!block.seen[i]) continue;
+    const double* layer = block.layers.data() + i * shape.stride;
+    const double weight = shape.weights[i];
+    for (std::size_t e = 0; e < shape.stride; ++e) sum[e] += weight * layer[e];
+  }
+}
+
+void sum_total(const LayerShape& shape, LayerBlock& block) {
+  std::fill_n(block.total.data(), shape.stride, 0.0);
+  for (std::size_t g = 0; g < shape.groups; ++g) {
+    const double* sum = block.groups.data() + g * shape.stride;
+    for (std::size_t e = 0; e < shape.stride; ++e) block.total[e] += sum[e];
+  }
+}
+
+void sum_layers(const LayerShape& shape, LayerBlock& block) {
+  for (std::size_t g = 0; g < shape.groups; ++g) sum_group(shape, g, block);
+  sum_total(shape, block);
+}
+
+}  // namespace delos

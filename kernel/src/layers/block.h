@@ -1,0 +1,41 @@
+// Filling a block of layers: what each device knows at up to kLanes poses, and its
+// sums.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "delos/layers/layers.h"
+#include "rig/sight.h"
+
+namespace delos {
+
+/// How the layers of a system are stored and weighted.
+struct LayerShape {
+  explicit LayerShape(const System& system);
+
+  std::size_t devices;
+  std::size_t groups;
+  int columns;         ///< information_size() of the system
+  std::size_t stride;  ///< numbers in one layer: packed × kLanes
+  std::vector<double>
+      weights;  ///< one a device: 1, or 1/period for a rate of information
+};
+
+/// Devices are summed in groups of this many.
+inline constexpr std::size_t kGroup = 8;
+
+/// Make room for `lanes` poses; all layers are zero and nothing is seen.
+void clear_block(const LayerShape& shape, int lanes, LayerBlock& block);
+
+/// Work out one device's layer. @pre clear_block() was called with poses.size()
+void observe_device(const System& system, const LayerShape& shape, std::size_t device,
+                    std::span<const TargetPose> poses, LayerBlock& block);
+
+void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block);
+void sum_total(const LayerShape& shape, LayerBlock& block);
+/// All groups, and the total.
+void sum_layers(const LayerShape& shape, LayerBlock& block);
+
+}  // namespace delos

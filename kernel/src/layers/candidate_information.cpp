@@ -1,0 +1,205 @@
+#include "delos/layers/candidate_information.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "delos/model/lanes.h"
+#include "observe/measure.h"
+#include "observe/point_rows.h"
+#include "parallel/first_failure.h"
+
+namespace delos {
+namespace {
+
+/// For each device that looks at beacons, the candidate of each beacon of its index.
+std::vector<std::vector<int>> beacon_owners(const System& system,
+                                            const CandidateScene& all) {
+  std::vector<std::vector<int>> owners(system.devices.size());
+  for (std::size_t i = 0; i < system.devices.size(); ++i) {
+    const PlacedDevice& placed = system.devices[i];
+    if (!placed.beacons) continue;
+    std::vector<int> listed;
+    for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
+      const auto& sees = placed.sees;
+      if (!sees.empty() &&
+          std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) == sees.end())
+        continue;
+      listed.insert(listed.end(), all.of_beacon[s].begin(), all.of_beacon[s].end());
+    }
+    const bool chosen =
+        std::any_of(listed.begin(), listed.end(), [](int c) { return c >= 0; });
+    if (chosen && all.of_device[i] >= 0)
+      throw std::invalid_argument(placed.name +
+                                  " is a candidate, and so are beacons that it sees: "
+                                  "choose one kind, then the other");
+    if (chosen && placed.select != SightingRule::all)
+      throw std::invalid_argument(
+          placed.name +
+          " shares its updates among the beacons in view, so that another beacon may "
+          "make it worse, and no bound is known; use 'select: all'");
+    for (std::size_t b = 0; b < listed.size(); ++b)
+      owners[i].push_back(listed[placed.beacons->listed(b)]);
+  }
+  return owners;
+}
+
+/// All that the candidates know at one pose.
+class PoseEntries {
+ public:
+  PoseEntries(std::size_t candidates, int columns)
+      : columns_(columns),
+        packed_(static_cast<std::size_t>(packed_index(columns, 0))),
+        slot_(candidates, -1) {}
+
+  void clear() {
+    for (const std::int32_t c : seen) slot_[static_cast<std::size_t>(c)] = -1;
+    seen.clear();
+    information.clear();
+    always.assign(packed_, 0.0);
+    exact.clear();
+  }
+
+  /// Take over rows of a candidate, whitened.
+  void add(int candidate, const StateRows& rows, const decltype(Observation::R)& R,
+           double weight) {
+    whiten(
+        rows, R,
+        [&](const auto& row, double variance) {
+          double* S = of(candidate);
+          for (int i = 0; i < columns_; ++i)
+            for (int j = 0; j <= i; ++j)
+              S[packed_index(i, j)] += weight / variance * row(i) * row(j);
+        },
+        [&](const auto& row) {
+          exact.push_back({candidate, row.head(columns_)});
+        });
+  }
+
+  /// In the order of the candidates; nothing can be added any more.
+  void sort() {
+    std::vector<std::size_t> order(seen.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return seen[a] < seen[b]; });
+    std::vector<std::int32_t> sorted;
+    std::vector<double> numbers;
+    for (const std::size_t i : order) {
+      sorted.push_back(seen[i]);
+      const auto begin = information.begin() + static_cast<std::ptrdiff_t>(i * packed_);
+      numbers.insert(numbers.end(), begin,
+                     begin + static_cast<std::ptrdiff_t>(packed_));
+    }
+    seen = std::move(sorted);
+    information = std::move(numbers);
+  }
+
+  std::vector<std::int32_t> seen;
+  std::vector<double> information, always;
+  std::vector<ExactRow> exact;
+
+ private:
+  double* of(int candidate) {
+    if (candidate < 0) return always.data();
+    std::int32_t& slot = slot_[static_cast<std::size_t>(candidate)];
+    if (slot < 0) {
+      slot = static_cast<std::int32_t>(seen.size());
+      seen.push_back(candidate);
+      information.resize(information.size() + packed_, 0.0);
+    }
+    return &information[static_cast<std::size_t>(slot) * packed_];
+  }
+
+  int columns_;
+  std::size_t packed_;
+  std::vector<std::int32_t> slot_;
+};
+
+void observe(const System& system, const CandidateScene& all,
+             const std::vector<std::vector<int>>& owners, const TargetPose& pose,
+             MeasureScratch& scratch, PoseEntries& out) {
+  const int columns = information_size(system);
+  for (std::size_t i = 0; i < system.devices.size(); ++i) {
+    const PlacedDevice& placed = system.devices[i];
+    const double weight = system.fusion == Fusion::continuous ? 1 / placed.period : 1.0;
+    std::size_t sighting = 0;
+    const auto& list = scratch.sightings.all;
+    measure(system, placed, pose, columns, scratch,
+            [&](const StateRows& rows, const decltype(Observation::R)& R) {
+              int candidate = all.of_device[i];
+              if (placed.beacons) {
+                while (list[sighting].share == 0) ++sighting;
+                const int owner = owners[i][list[sighting++].beacon];
+                if (owner >= 0) candidate = owner;
+              }
+              out.add(candidate, rows, R, weight);
+            });
+  }
+}
+
+}  // namespace
+
+CandidateInformation candidate_information(const System& system,
+                                           const CandidateScene& all,
+                                           std::span<const TargetPose> poses,
+                                           int threads) {
+  const auto owners = beacon_owners(system, all);
+  constexpr std::size_t kChunk = 16;
+  const std::size_t chunks = (poses.size() + kChunk - 1) / kChunk;
+  std::vector<CandidateInformation> parts(chunks);
+  FirstFailure failure;
+  const int count = threads > 0 ? threads : omp_get_max_threads();
+#pragma omp parallel num_threads(count)
+  {
+    MeasureScratch scratch;
+    PoseEntries entries(all.candidates.size(), information_size(system));
+#pragma omp for schedule(dynamic)
+    for (std::size_t c = 0; c < chunks; ++c) {
+      failure.guard([&] {
+        CandidateInformation& part = parts[c];
+        const std::size_t end = std::min(poses.size(), (c + 1) * kChunk);
+        for (std::size_t p = c * kChunk; p < end; ++p) {
+          entries.clear();
+          observe(system, all, owners, poses[p], scratch, entries);
+          entries.sort();
+          part.always.insert(part.always.end(), entries.always.begin(),
+                             entries.always.end());
+          part.first.push_back(entries.seen.size());
+          part.candidate.insert(part.candidate.end(), entries.seen.begin(),
+                                entries.seen.end());
+          part.information.insert(part.information.end(), entries.information.begin(),
+                                  entries.information.end());
+          part.first_exact.push_back(entries.exact.size());
+          part.exact.insert(part.exact.end(), entries.exact.begin(),
+                            entries.exact.end());
+        }
+      });
+    }
+  }
+  failure.rethrow();
+
+  CandidateInformation whole;
+  whole.columns = information_size(system);
+  whole.first = whole.first_exact = {0};
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (CandidateInformation& part : parts) {
+    append(whole.always, part.always);
+    append(whole.candidate, part.candidate);
+    append(whole.information, part.information);
+    append(whole.exact, part.exact);
+    for (std::size_t i = 0; i < part.first.size(); ++i) {
+      whole.first.push_back(whole.first.back() + part.first[i]);
+      whole.first_exact.push_back(whole.first_exact.back() + part.first_exact[i]);
+    }
+    part = {};
+  }
+  if (system.fusion == Fusion::continuous && !whole.exact.empty())
+    throw std::invalid_argument(
+        "rows measured without noise have no information rate; use stacked fusion");
+  return whole;
+}
+
+}  // namespace delos

@@ -1,0 +1,61 @@
+// Beacons that a device may see from poses near each other.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "delos/rig/system.h"
+#include "device/cone_test.h"
+
+namespace delos {
+
+/// Up to kLanes beacons in a view's cone, as its device sees them and they see it.
+struct BeaconLook {
+  BeaconLanes lanes;
+  std::uint32_t beacon[kLanes];  ///< in the device's index
+  double weight[kLanes];
+  double distance[kLanes];  ///< from the view's apex, metres
+  double reached[kLanes];   ///< 1: the beacon shines towards the apex; 0: it doesn't
+};
+
+/// What the views of a device on the target may see from any of some poses that are
+/// turned alike and near each other: found once for all of them. What a pose sees is
+/// the same whichever poses it is together with.
+class BeaconCandidates {
+ public:
+  /// Find them for the first of the poses and for as many after it as pay.
+  /// @param poses at least one
+  /// @pre placed.beacons isn't null
+  /// @returns how many poses
+  std::size_t find(const PlacedDevice& placed, std::span<const TargetPose> poses);
+
+  /// Those in a view's cone, in the order of the index, until the next call.
+  /// @param origin_S the world's origin as one of those poses sees it, R_SW (−p_WS)
+  std::span<const std::uint32_t> in_cone(int view, const Eigen::Vector3d& origin_S);
+
+  /// @param candidates of this view, kLanes at most
+  void look(int view, std::span<const std::uint32_t> candidates,
+            const Eigen::Vector3d& origin_S, BeaconLook& out) const;
+
+  /// A view's cone, in S.
+  [[nodiscard]] const ViewCone& cone(int view) const {
+    return views_[static_cast<std::size_t>(view)].cone;
+  }
+
+ private:
+  struct View {
+    ViewCone cone;
+    ConeTest test;
+    std::uint32_t first, last;  // of the candidates
+  };
+  const BeaconIndex* index_ = nullptr;
+  Eigen::Matrix3d R_SW_;
+  std::vector<View> views_;
+  std::vector<std::uint32_t> beacons_;  // those of all views, one view after the other
+  std::vector<double> x_, y_, z_;       // their places R_SW b
+  std::vector<std::uint32_t> in_cone_;
+};
+
+}  // namespace delos

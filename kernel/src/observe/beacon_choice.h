@@ -1,0 +1,12 @@
+// Which sightings a device on the target uses in one update.
+#pragma once
+
+#include "observe/beacon_sightings.h"
+
+namespace delos {
+
+/// Set the share of every sighting by a rule, see SightingRule. A sighting of weight w
+/// has at most the share w, but under `mean`.
+void choose(SightingRule rule, int count, int coordinates, BeaconSightings& sightings);
+
+}  // namespace delos

@@ -1,0 +1,213 @@
+#include "observe/soft_information.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rig/sight.h"
+
+namespace delos {
+namespace {
+
+/// A shadow's soft edge is this part of a view's, as an angle: shadows are small.
+constexpr double kShadowPart = 1.0 / 3;
+/// Clearance isn't measured in this part of a sight line at either end, where a wall
+/// that carries the device, or the body that carries the marker, is always near.
+constexpr double kEndPart = 0.05;
+
+/// A visibility below this counts as none, and spares looking along the line.
+constexpr double kUnseen = 1e-10;
+
+std::vector<TriangleMesh> bodies(const System& system, Mount mount) {
+  std::vector<TriangleMesh> all;
+  for (const OccluderEntry& entry : system.occluders) {
+    if (entry.mount == mount)
+      all.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
+  }
+  return all;
+}
+
+/// δp of the marker = J · (the pose's coordinates), 3×d.
+StateRows lever(const StateLayout& layout, const Eigen::Vector3d& arm, int columns) {
+  StateRows J = StateRows::Zero(3, columns);
+  if (layout.pose != PoseState::orientation) J.leftCols<3>().setIdentity();
+  if (layout.pose != PoseState::position)
+    J.middleCols<3>(layout.positions()) = -cross_matrix(arm);
+  return J;
+}
+
+/// Σ hᵀ h / r over the rows, 3×3, in S.
+Eigen::Matrix3d information(const SmoothRows& rows) {
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < rows.rows; ++i)
+    S += rows.H.row(i).transpose() * rows.H.row(i) / rows.variance(i);
+  return S;
+}
+
+/// ∂⟨K, Σ hᵀ h / r⟩/∂p for a symmetric K.
+Eigen::Vector3d information_slope(const SmoothRows& rows, const Eigen::Matrix3d& K) {
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+  for (int i = 0; i < rows.rows; ++i) {
+    const Eigen::RowVector3d h = rows.H.row(i);
+    const double r = rows.variance(i), form = h * K * h.transpose();
+    for (int k = 0; k < 3; ++k) {
+      const double along = h * K * rows.H_slope[k].row(i).transpose();
+      slope(k) += (2 * along - form * rows.variance_slope(i, k) / r) / r;
+    }
+  }
+  return slope;
+}
+
+}  // namespace
+
+SoftOccluders::SoftOccluders(const System& system)
+    : entries(system.occluders),
+      in_world(bodies(system, Mount::world)),
+      on_target(bodies(system, Mount::target)) {}
+
+SoftInformation::SoftInformation(const System& system, const SoftOccluders& occluders,
+                                 double width)
+    : system_(system),
+      occluders_(occluders),
+      width_(width),
+      unseen_margin_(-std::log(kUnseen) * width / 4),
+      columns_(information_size(system)) {}
+
+double SoftInformation::view(double margin) const {
+  if (width_ == 0) return margin >= 0 ? 1 : 0;
+  const double v = 1 / (1 + std::exp(-4 * margin / width_));
+  return v < kUnseen ? 0 : v;
+}
+
+/// What view() would say, without asking for rows: a ball of the radius s d about a
+/// point at the distance d fills the angle asin s.
+bool SoftInformation::out_of_view(const Device& device,
+                                  const Eigen::Vector3d& p) const {
+  return device.view_of_ball(p, unseen_margin_ * p.norm()) == View::outside;
+}
+
+Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPose& X_WT,
+                                     const Eigen::Vector3d& arm) const {
+  Sightline line{1, Eigen::Vector3d::Zero()};
+  if (!may_be_hidden(system_, placed)) return line;
+  if (!in_sight(system_, placed.X_WS.p, X_WT, arm)) return {0, Eigen::Vector3d::Zero()};
+  if (width_ == 0) return line;
+
+  const Eigen::Vector3d device = placed.X_WS.p, marker = X_WT.p + arm;
+  const double length = (marker - device).norm();
+  const double limit = kShadowPart * width_ * length;
+  const auto soften = [&](const Clearance& bodies, const Pose& X_BW) {
+    if (bodies.empty()) return;
+    const Eigen::Vector3d a = X_BW * device, d = X_BW * marker - a;
+    const Passage at = bodies.passage(a + kEndPart * d, a + (1 - kEndPart) * d, limit);
+    if (!(at.distance < limit)) return;
+    // x = distance/limit, and both change with the device.
+    const double x = at.distance / limit;
+    const double part = kEndPart + (1 - 2 * kEndPart) * at.part;
+    const Eigen::Vector3d away = X_BW.R.transpose() * at.away;
+    const Eigen::Vector3d x_slope =
+        (1 - part) / limit * away + x / (length * length) * (marker - device);
+    const double v = x * x * (3 - 2 * x);
+    line.slope = v * line.slope + line.visibility * 6 * x * (1 - x) * x_slope;
+    line.visibility *= v;
+  };
+  soften(occluders_.in_world, {});
+  soften(occluders_.on_target, X_WT.inverse());
+  return line;
+}
+
+bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
+  SmoothRows rows;
+  return !placed.beacons && placed.device->span() == Span::point &&
+         placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
+}
+
+bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
+                                   double weight, Sightline* lines,
+                                   StateMatrix& S) const {
+  if (placed.beacons || placed.device->span() != Span::point) return false;
+  const Eigen::Matrix3d R_WS = placed.X_WS.R;
+  SmoothRows rows;
+  for (std::size_t m = 0; m < system_.markers.size(); ++m) {
+    const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
+    const Eigen::Vector3d p = R_WS.transpose() * (X_WT.p + arm - placed.X_WS.p);
+    Sightline& line = lines[m];
+    if (line.visibility == 0 || p.isZero(0)) continue;
+    if (out_of_view(*placed.device, p)) {
+      line.visibility = 0;
+      continue;
+    }
+    if (!placed.device->observe_smoothly(p, rows)) return false;
+    double v = weight * view(rows.margin);
+    if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
+    v *= line.visibility;
+    if (v == 0) continue;
+    const Eigen::Matrix3d of_point = v * R_WS * information(rows) * R_WS.transpose();
+    if (system_.motion.layout.pose == PoseState::position) {
+      S.topLeftCorner<3, 3>() += of_point;
+      continue;
+    }
+    const StateRows J = lever(system_.motion.layout, arm, columns_);
+    S += J.transpose() * of_point * J;
+  }
+  return true;
+}
+
+void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
+                          double weight, Sightline* lines, MeasureScratch& scratch,
+                          StateMatrix& S) const {
+  if (add_smoothly(placed, X_WT, weight, lines, S)) return;
+  measure(system_, placed, X_WT, columns_, scratch,
+          [&](const StateRows& rows, const decltype(Observation::R)& R) {
+            const auto noisy = [&](const auto& row, double variance) {
+              S += weight / variance * row.transpose() * row;
+            };
+            whiten(rows, R, noisy, [](const auto&) {});
+          });
+}
+
+// With K = R_SW J G Jᵀ R_WS, J the lever, and p = R_SW (m − p_WS), m the marker:
+//
+//   ⟨G, S⟩ = v ⟨K, I(p)⟩,   I = Σ hᵀ h / r
+//   δp_WS:  δp = −R_SW δp_WS
+//   φ:      δp = −R_SW (φ × (m − p_WS)),  δ(R_WS I R_SW) = [φ]× I_W − I_W [φ]×
+PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X_WT,
+                                 Sightline* lines, const StateMatrix& G) const {
+  PoseSlope total = PoseSlope::Zero();
+  const Eigen::Matrix3d R_WS = placed.X_WS.R;
+  SmoothRows rows;
+  for (std::size_t m = 0; m < system_.markers.size(); ++m) {
+    const Sightline& line = lines[m];
+    if (!(line.visibility > 0)) continue;
+    const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
+    const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS.p;
+    const Eigen::Vector3d p = R_WS.transpose() * from;
+    if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
+    const double v = view(rows.margin);
+    if (v == 0) continue;
+
+    Eigen::Matrix3d G_point;
+    if (system_.motion.layout.pose == PoseState::position) {
+      G_point = G.topLeftCorner<3, 3>();
+    } else {
+      const StateRows J = lever(system_.motion.layout, arm, columns_);
+      G_point = J * G * J.transpose();
+    }
+    const Eigen::Matrix3d K = R_WS.transpose() * G_point * R_WS;
+    const Eigen::Matrix3d I = information(rows);
+    const double form = K.cwiseProduct(I).sum();
+    const double view_slope = width_ > 0 ? 4 / width_ * v * (1 - v) : 0;
+    const Eigen::Vector3d by_p =
+        line.visibility *
+        (v * information_slope(rows, K) + view_slope * form * rows.margin_slope);
+    const Eigen::Vector3d pull = R_WS * by_p;
+    const Eigen::Matrix3d I_W = R_WS * I * R_WS.transpose();
+    const Eigen::Matrix3d A = v * line.visibility * (I_W * G_point - G_point * I_W);
+    total.head<3>() += -pull + v * form * line.slope;
+    total.tail<3>() +=
+        -from.cross(pull) +
+        Eigen::Vector3d(A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0));
+  }
+  return total;
+}
+
+}  // namespace delos

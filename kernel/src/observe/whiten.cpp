@@ -1,0 +1,21 @@
+#include "observe/whiten.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace delos {
+
+IndependentNoise independent_noise(const decltype(Observation::R)& R) {
+  const Eigen::SelfAdjointEigenSolver<decltype(Observation::R)> split(R);
+  IndependentNoise noise{split.eigenvectors(), split.eigenvalues()};
+  const double largest = noise.variance(noise.variance.size() - 1);
+  const double floor = std::max(
+      std::numeric_limits<double>::min(),
+      static_cast<double>(R.rows()) * std::numeric_limits<double>::epsilon() * largest);
+  for (Eigen::Index i = 0; i < noise.variance.size(); ++i) {
+    if (!(noise.variance(i) > floor)) noise.variance(i) = 0;
+  }
+  return noise;
+}
+
+}  // namespace delos

@@ -1,0 +1,78 @@
+#include "rig/sight.h"
+
+namespace delos {
+namespace {
+
+Sight sight_from(const Occluders& occluders, const Eigen::Vector3d& apex,
+                 const Eigen::AlignedBox3d& box, double skin) {
+  if (occluders.triangles() == 0 || !occluders.touches_shaft(apex, box)) {
+    return Sight::clear;
+  }
+  return occluders.hides(apex, box, skin) ? Sight::hidden : Sight::unknown;
+}
+
+/// The box around a turned box.
+Eigen::AlignedBox3d turned(const Eigen::Matrix3d& R, const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d middle = R * box.center();
+  const Eigen::Vector3d half = R.cwiseAbs() * box.sizes() / 2;
+  return {middle - half, middle + half};
+}
+
+}  // namespace
+
+bool may_be_hidden(const System& system, const PlacedDevice& placed) {
+  return placed.device->needs_sight() &&
+         system.in_world.triangles() + system.on_target.triangles() > 0;
+}
+
+bool in_sight(const System& system, const Eigen::Vector3d& in_world,
+              const TargetPose& X_WT, const Eigen::Vector3d& arm) {
+  if (system.in_world.triangles() > 0 &&
+      system.in_world.blocks(in_world, X_WT.p + arm, system.skin)) {
+    return false;
+  }
+  if (system.on_target.triangles() == 0) return true;
+  const Eigen::Matrix3d R_TW = X_WT.R.transpose();
+  return !system.on_target.blocks(R_TW * (in_world - X_WT.p), R_TW * arm, system.skin);
+}
+
+Sight sight_of_box(const System& system, const PlacedDevice& placed,
+                   const Eigen::Matrix3d& R_WT, const Eigen::Vector3d& arm,
+                   const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d& device = placed.X_WS.p;
+  const Sight world = sight_from(system.in_world, device,
+                                 {box.min() + arm, box.max() + arm}, system.skin);
+  if (world == Sight::hidden || system.on_target.triangles() == 0) return world;
+  // Seen from the target, the marker stays and the device moves through a box.
+  const Eigen::Matrix3d R_TW = R_WT.transpose();
+  const Eigen::AlignedBox3d devices =
+      turned(R_TW, {device - box.max(), device - box.min()});
+  const Sight target = sight_from(system.on_target, R_TW * arm, devices, system.skin);
+  if (target == Sight::hidden) return target;
+  return world == Sight::clear ? target : Sight::unknown;
+}
+
+bool inside_solid(const System& system, const Eigen::Vector3d& p) {
+  return system.in_world.triangles() > 0 && system.in_world.contains(p);
+}
+
+std::vector<unsigned char> inside_solids(const System& system, const Samples& samples) {
+  std::vector<unsigned char> inside;
+  if (system.in_world.triangles() == 0) return inside;
+  const Eigen::Vector3d skin = Eigen::Vector3d::Constant(system.skin);
+  inside.reserve(samples.points.size());
+  for (const SamplePart& part : samples.parts) {
+    const bool chosen = std::holds_alternative<ScatteredShape>(part.shape) ||
+                        std::holds_alternative<SurfaceShape>(part.shape);
+    for (std::size_t i = part.first; i < part.first + part.count; ++i) {
+      const Eigen::Vector3d& p = samples.points[i];
+      // The shaft from a point to a box around it is that box.
+      const bool on_surface =
+          chosen && system.in_world.touches_shaft(p, {p - skin, p + skin});
+      inside.push_back(!on_surface && system.in_world.contains(p));
+    }
+  }
+  return inside;
+}
+
+}  // namespace delos

@@ -1,0 +1,46 @@
+// Sight lines between devices and markers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "delos/rig/system.h"
+#include "delos/sampling/samples.h"
+
+namespace delos {
+
+/// What is known of a sight line before anybody looks along it.
+enum class Sight : std::uint8_t {
+  unknown,  ///< cast a ray
+  clear,    ///< nothing is in the way
+  hidden,   ///< something is
+};
+
+/// Whether the scene has anything that may hide the target from this device.
+[[nodiscard]] bool may_be_hidden(const System& system, const PlacedDevice& placed);
+
+/// Whether nothing stands between something in the world and something on the target:
+/// a device and a marker, or a beacon and a device.
+/// @param in_world where the one is, in W
+/// @param arm where the other is from the target's origin, in W
+[[nodiscard]] bool in_sight(const System& system, const Eigen::Vector3d& in_world,
+                            const TargetPose& X_WT, const Eigen::Vector3d& arm);
+
+/// The same for all positions of the target in a box at one orientation R_WT: clear and
+/// hidden hold for every one of them, unknown where they differ or nobody can say.
+[[nodiscard]] Sight sight_of_box(const System& system, const PlacedDevice& placed,
+                                 const Eigen::Matrix3d& R_WT,
+                                 const Eigen::Vector3d& arm,
+                                 const Eigen::AlignedBox3d& box);
+
+/// Whether a point is inside a solid of the world, or on its surface.
+[[nodiscard]] bool inside_solid(const System& system, const Eigen::Vector3d& p);
+
+/// The same of samples; empty where nothing is solid. Points that somebody chose, and
+/// those of a mesh, may be markers on a body: within the skin of a surface they aren't
+/// inside.
+[[nodiscard]] std::vector<unsigned char> inside_solids(const System& system,
+                                                       const Samples& samples);
+
+}  // namespace delos

@@ -1,0 +1,88 @@
+#include "problem/guess.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "delos/field/evaluate.h"
+
+namespace delos {
+namespace {
+
+class Guess final : public Device {
+ public:
+  explicit Guess(double variance) : variance_(variance) {}
+  [[nodiscard]] Span span() const override { return Span::pose; }
+  [[nodiscard]] bool observe(const Target& target, Observation& out) const override {
+    out.z.setZero(6);
+    out.z.head<3>() = target.p_ST;
+    out.H.setIdentity(6, 6);
+    out.R.setZero(6, 6);
+    out.R.diagonal().setConstant(variance_);
+    return true;
+  }
+
+ private:
+  double variance_;
+};
+
+}  // namespace
+
+double typical_guess(const System& system, const Samples& samples,
+                     const Orientations& orientations) {
+  constexpr double kWorse = 100;
+  constexpr std::size_t kBlocks = 16;  // poses of a few blocks are enough
+  std::vector<TargetPose> poses = field_poses(samples, orientations);
+  const std::size_t step = std::max<std::size_t>(1, poses.size() / (kBlocks * kLanes));
+  std::vector<TargetPose> some;
+  for (std::size_t i = 0; i < poses.size(); i += step) some.push_back(poses[i]);
+  const InformationLayers layers(system, std::move(some), {.threads = 1});
+  const auto stride =
+      static_cast<std::size_t>(packed_index(information_size(system), 0)) * kLanes;
+  std::vector<double> known;
+  LayerBlock scratch;
+  for (std::size_t b = 0; b < layers.block_count(); ++b) {
+    const LayerBlock& block = layers.block(b, scratch);
+    for (std::size_t i = 0; i < system.devices.size(); ++i) {
+      for (int lane = 0; lane < block.lanes; ++lane) {
+        if (!(block.seen[i] >> lane & 1)) continue;
+        Eigen::Matrix3d S;
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c <= r; ++c)
+            S(r, c) = S(c, r) =
+                block.layers[i * stride + static_cast<std::size_t>(
+                                              packed_index(r, c) * kLanes + lane)];
+        const double largest =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly)
+                .eigenvalues()(2);
+        if (largest > 0) known.push_back(largest);
+      }
+    }
+  }
+  if (known.empty()) return 1;
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  return kWorse / std::sqrt(*middle);
+}
+
+bool takes_guess(const System& system) {
+  return system.fusion != Fusion::sequential && system.fusion != Fusion::artemis;
+}
+
+double guess_information(const System& system, double sigma) {
+  const double weight =
+      system.fusion == Fusion::continuous ? 1 / system.devices.front().period : 1;
+  return takes_guess(system) ? weight / (sigma * sigma) : 0;
+}
+
+void add_guess(System& system, double sigma) {
+  if (!takes_guess(system)) return;
+  PlacedDevice guess;
+  guess.name = guess.type = "guess";
+  guess.device = std::make_shared<Guess>(sigma * sigma);
+  guess.period = system.devices.front().period;
+  guess.phase = system.devices.front().phase;
+  system.devices.push_back(std::move(guess));
+}
+
+}  // namespace delos

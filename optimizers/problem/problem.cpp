@@ -1,0 +1,265 @@
+#include "delos/optimize/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "delos/field/adaptive.h"
+#include "delos/model/infinity.h"
+#include "problem/guess.h"
+#include "problem/problem_state.h"
+#include "problem/reduce.h"
+
+namespace delos {
+namespace {
+
+/// What a sample costs, in units of the guess, where no guess can help.
+constexpr double kBlindCost = 1e3;
+
+}  // namespace
+
+bool Score::feasible() const {
+  return std::isfinite(objective) &&
+         std::all_of(slacks.begin(), slacks.end(), [](double s) { return s >= 0; });
+}
+
+std::size_t Problem::State::metric_index(const std::string& name) {
+  const auto metric = std::get<Metric>(
+      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+  for (std::size_t m = 0; m < metrics.size(); ++m)
+    if (metrics[m].name == metric.name) return m;
+  metrics.push_back(metric);
+  return metrics.size() - 1;
+}
+
+void Problem::State::read_objective() {
+  std::vector<ObjectiveTerm> all = scene().objective.terms;
+  if (all.empty()) {
+    all.emplace_back();
+    const std::size_t own = metric_index("");
+    all.front().maximize = metrics[own].larger_is_better;
+  }
+  // Where solids are is asked once: searches seldom move them.
+  std::vector<unsigned char> inside;
+  if (nominal.system.in_world.triangles() > 0) {
+    const auto coverage =
+        std::get<Metric>(parse_metric("coverage", scene().motion.layout));
+    inside = evaluate_field(nominal.system, samples.samples, scene().orientations,
+                            coverage, {.threads = options.threads})
+                 .inside;
+  }
+  for (const ObjectiveTerm& term : all)
+    terms.push_back({term, metric_index(term.metric),
+                     term_weights(term, scene(), samples, inside)});
+  for (std::size_t c = 0; c < scene().constraints.size(); ++c) {
+    const auto* keep = std::get_if<KeepMetric>(&scene().constraints[c].what);
+    if (!keep) continue;
+    MetricLimit limit{c, metric_index(keep->metric), keep->limit, 1, {}};
+    if (metrics[limit.metric].larger_is_better) limit.sign = -1;
+    for (std::size_t i = 0; i < samples.set.size(); ++i) {
+      const bool in =
+          keep->in.empty() || scene().samples[samples.set[i]].name == keep->in;
+      if (in && (inside.empty() || !inside[i])) limit.samples.push_back(i);
+    }
+    if (limit.samples.empty())
+      throw std::invalid_argument("constraint " + scene().constraints[c].name +
+                                  " has no sample outside solids");
+    metric_limits.push_back(std::move(limit));
+  }
+}
+
+void Problem::State::read_limits() {
+  limits = geometry.limits();
+  for (const MetricLimit& limit : metric_limits)
+    limits.push_back({limit.constraint, limit.unit()});
+}
+
+void Problem::State::build(std::span<const double> x) {
+  design.set(x);
+  System& last = nominal.system;
+  last = build_system(scene(), plugins, last.devices.empty() ? nullptr : &last);
+}
+
+/// The field of the first term's metric over a box at the design of which the octree is
+/// asked for, with about as many nodes as samples are.
+Field Problem::State::octree(AdaptiveSampling box) {
+  build(options.octree_of);
+  System system = nominal.system;
+  if (scene().objective.guess > 0) add_guess(system, scene().objective.guess);
+  const auto& terms = scene().objective.terms;
+  const std::string name = terms.empty() ? "" : terms.front().metric;
+  const auto metric = std::get<Metric>(
+      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+  if (options.samples > 0) {
+    const auto most =
+        static_cast<std::int64_t>(options.samples * scene().orientations.rpy.size());
+    box.evaluations = std::min(box.evaluations.value_or(most), most);
+  }
+  box.seconds.reset();  // the same octree at any speed
+  AdaptiveOptions adaptive;
+  adaptive.field.threads = options.threads;
+  adaptive.held_back = 0;
+  return evaluate_adaptive(system, box, scene().orientations, metric, adaptive).field();
+}
+
+/// Try each variable once.
+void Problem::State::find_touched() {
+  const System& system = nominal.system;
+  const std::vector<double>& x = design.start();
+  for (std::size_t v = 0; v < design.size(); ++v) {
+    design.set(x);
+    design.set(v, x[v] + (x[v] > 0.5 ? -1e-3 : 1e-3));
+    const System moved = build_system(scene(), plugins, &system);
+    Touched what;
+    what.all = !(moved.motion == system.motion) || moved.markers != system.markers ||
+               moved.occluders != system.occluders;
+    for (std::size_t i = 0; i < system.devices.size(); ++i) {
+      const PlacedDevice &a = system.devices[i], &b = moved.devices[i];
+      if (a.period != b.period || a.phase != b.phase) what.all = true;
+      if (!(a.X_WS == b.X_WS)) what.poses.push_back(i);
+      const bool same_view = a.X_TS == b.X_TS && a.beacons == b.beacons &&
+                             a.select == b.select && a.count == b.count;
+      if (!(a.params == b.params) || !same_view) what.layers.push_back(i);
+    }
+    touched.push_back(std::move(what));
+  }
+  design.set(x);
+}
+
+double Problem::State::objective(const FieldValues& values, std::optional<double> width,
+                                 FieldValues* slopes) const {
+  // Sharp where edges are: a trial's choice, from 0.07 to 3 times as much.
+  std::optional<double> blur;
+  if (width) blur = std::min(1.0, 2 * *width);
+  double sum = 0;
+  std::vector<double> costs, of_term;
+  for (const Term& t : terms) {
+    const double sign = t.term.maximize ? -1 : 1;
+    const bool larger = metrics[t.metric].larger_is_better;
+    const double blind = larger ? 0 : kBlindCost * guess;
+    costs = values[t.metric];
+    for (double& c : costs) c = sign * (std::isfinite(c) ? c : blind);
+    of_term.resize(slopes ? costs.size() : 0);
+    sum += t.term.weight *
+           reduce(t.term, costs, t.weights, blur, slopes ? of_term.data() : nullptr);
+    for (std::size_t i = 0; i < of_term.size(); ++i) {
+      if (std::isfinite(values[t.metric][i]))
+        (*slopes)[t.metric][i] += t.term.weight * sign * of_term[i];
+    }
+  }
+  return sum;
+}
+
+void Problem::State::metric_slacks(const FieldValues& values, double* out) const {
+  for (const MetricLimit& limit : metric_limits) {
+    double worst = -kInfinity;
+    for (const std::size_t i : limit.samples) {
+      const double value = values[limit.metric][i];
+      worst = std::max(worst, std::isfinite(value) ? limit.sign * value : kInfinity);
+    }
+    *out++ = limit.sign * limit.limit - worst;
+  }
+}
+
+Problem::Problem(const Scene& scene, PluginRegistry& plugins,
+                 const ProblemOptions& options)
+    : state_(std::make_unique<State>(scene, plugins, options)) {
+  State& s = *state_;
+  if (scene.variables.empty())
+    throw std::invalid_argument(
+        "the scene has no variables; say what may change, for example\n"
+        "variables:\n  - {path: \"devices.*.at.z\", lower: 0.5, upper: 3}");
+  s.samples = search_samples(
+      scene, options.samples,
+      options.octree_of.empty() ? Octrees() : [&s](const AdaptiveSampling& box) {
+        return s.octree(box);
+      });
+  s.build(s.design.start());
+  s.guess =
+      scene.objective.guess > 0
+          ? scene.objective.guess
+          : typical_guess(s.nominal.system, s.samples.samples, scene.orientations);
+  s.read_objective();
+  s.read_limits();
+  s.read_robust();
+  s.find_touched();
+  // Beacons come into view and go at once, whatever the device's place.
+  for (const Touched& what : s.touched)
+    for (const std::size_t i : what.layers)
+      if (s.nominal.system.devices[i].beacons)
+        s.slope_problem = "what " + s.nominal.system.devices[i].name +
+                          " sees of beacons has no derivative here";
+  for (const Metric& metric : s.metrics) {
+    if (const std::string problem = metric_problem(s.nominal.system, metric);
+        !problem.empty())
+      throw std::invalid_argument(problem);
+    if (s.slope_problem.empty())
+      s.slope_problem = delos::slope_problem(s.nominal.system, metric);
+  }
+  s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, s.metrics,
+                                       guess_information(s.nominal.system, s.guess),
+                                       options.threads);
+}
+
+Problem::~Problem() = default;
+
+Design& Problem::design() { return state_->design; }
+double Problem::guess() const { return state_->guess; }
+const std::vector<Limit>& Problem::limits() const { return state_->limits; }
+std::size_t Problem::samples() const { return state_->samples.set.size(); }
+const std::string& Problem::slope_problem() const { return state_->slope_problem; }
+
+Score Problem::score(std::span<const double> x) {
+  State& s = *state_;
+  Score score{kInfinity, std::vector<double>(s.limits.size(), -kInfinity)};
+  try {
+    s.build(x);
+  } catch (const std::exception&) {
+    return score;  // no such device, or no such place: as bad as can be
+  }
+  score.objective = s.robust_objective();
+  s.geometry.slacks(s.scene(), score.slacks.data());
+  // What a guess makes finite isn't kept.
+  if (!s.metric_limits.empty())
+    s.metric_slacks(s.hard_values(s.nominal, false),
+                    score.slacks.data() + s.geometry.limits().size());
+  return score;
+}
+
+std::vector<double> Problem::place_slacks(std::span<const double> x) {
+  State& s = *state_;
+  s.design.set(x);
+  std::vector<double> slacks(s.geometry.limits().size(), -kInfinity);
+  try {
+    s.geometry.slacks(s.scene(), slacks.data());
+  } catch (const std::domain_error&) {
+    // A place that isn't there keeps nothing.
+  }
+  return slacks;
+}
+
+double Problem::plain_objective(std::span<const double> x) {
+  State& s = *state_;
+  s.build(x);
+  return s.objective(s.hard_values(s.nominal, true), {}, nullptr);
+}
+
+double Problem::objective_without(std::span<const double> x, std::size_t device) {
+  State& s = *state_;
+  s.build(x);
+  return s.objective(s.hard_values(s.nominal, true, device), {}, nullptr);
+}
+
+Field Problem::field(std::span<const double> x) {
+  State& s = *state_;
+  s.build(x);
+  const auto metric =
+      std::get<Metric>(parse_metric(s.scene().metric, s.scene().motion.layout));
+  Field field =
+      evaluate_field(s.nominal.system, all_samples(s.scene()), s.scene().orientations,
+                     metric, {.threads = s.options.threads});
+  field.scene = s.scene().name;
+  return field;
+}
+
+}  // namespace delos
