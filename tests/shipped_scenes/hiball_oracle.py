@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Values of the scenes in scenes/hiball by another way: tests/scenes/hiball.csv.
+"""Values of the scenes in scenes/hiball by another way: tests/shipped_scenes/hiball.csv.
 
 Every photodiode behind every lens is asked about every LED by intersecting a ray with a
 plane, derivatives are complex steps through that intersection, and the steady state is

@@ -1,5 +1,5 @@
 // How many cameras see a point, by trying every triangle:
-// tests/scenes/visibility_oracle.py writes visibility.csv.
+// tests/shipped_scenes/visibility_oracle.py writes visibility.csv.
 #include <fstream>
 #include <map>
 #include <numbers>

@@ -1,4 +1,4 @@
-// Every point that SciPy has worked out: tests/scenes/oracle.py writes oracle.csv.
+// Every point that SciPy has worked out: tests/shipped_scenes/oracle.py writes oracle.csv.
 #include <fstream>
 #include <map>
 #include <sstream>
