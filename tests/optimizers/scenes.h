@@ -4,7 +4,7 @@
 #include <string>
 
 #include "delos/optimize/optimize.h"
-#include "scenes/shipped.h"
+#include "shipped_scenes/shipped.h"
 
 namespace delos::test {
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "delos/optimize/problem.h"
-#include "scenes/shipped.h"
+#include "shipped_scenes/shipped.h"
 
 namespace delos::test {
 namespace {
