@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "delos/text/format.h"
+#include "delos/text/words.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -29,12 +30,6 @@ std::vector<std::string> chosen_names(const CandidateScene& all,
 /// value/bound − 1; 0 where both are 0.
 double gap_of(double value, double bound) {
   return value > bound ? value / bound - 1 : 0;
-}
-
-std::string percent(double part) {
-  std::ostringstream text;
-  text << std::setprecision(3) << 100 * part << " %";
-  return text.str();
 }
 
 void print_names(std::ostream& out, const char* label,

@@ -12,6 +12,7 @@
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
+#include "delos/text/words.h"
 #include "search_report.h"
 #include "summary.h"
 
@@ -30,12 +31,6 @@ struct StudyCommand {
 const std::vector<std::string> kActions = {
     "show", "resume", "best",   "export", "pause",  "lock", "unlock",   "set",
     "keep", "drop",   "forbid", "inject", "extend", "undo", "consensus"};
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
 
 Json to_json(const StudySummary& s) {
   Json rounds = Json::array(), acts = Json::array();
@@ -147,7 +142,7 @@ int run(StudyCommand& command) {
       needs(1, "SCENE.yaml");
       study.act("inject", design_of(command.arguments[0], study, plugins));
     } else {
-      study.act(command.action, joined(command.arguments));
+      study.act(command.action, joined(command.arguments, " "));
     }
   } catch (const std::invalid_argument& refusal) {
     throw Failure{kDiagnostics, refusal.what()};

@@ -7,16 +7,10 @@
 
 #include "delos/observe/beacon_use.h"
 #include "delos/text/format.h"
+#include "delos/text/words.h"
 
 namespace delos::cli {
 namespace {
-
-std::string coordinates(const Eigen::Vector3d& p) {
-  std::ostringstream text;
-  text << std::setprecision(4) << "(" << p.x() << ", " << p.y() << ", " << p.z()
-       << ") m";
-  return text.str();
-}
 
 /// What keeps devices on the target from seeing anything.
 std::vector<std::string> why_blind(const LoadedScene& loaded, const Field& field) {
@@ -25,10 +19,6 @@ std::vector<std::string> why_blind(const LoadedScene& loaded, const Field& field
 }
 
 }  // namespace
-
-std::string counted(std::size_t count, const char* noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 std::string cell(const std::string& text, std::size_t width) {
   const auto characters =
@@ -60,11 +50,12 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   const bool up = loaded.metric.larger_is_better;
   const Extreme& best = up ? s.max : s.min;
   const Extreme& worst = up ? s.min : s.max;
-  out << "  best    " << value(best.value) << "  at " << coordinates(best.at) << "\n"
+  out << "  best    " << value(best.value) << "  at " << coordinates(best.at) << " m\n"
       << "  mean    " << value(s.mean) << "\n"
       << "  median  " << value(s.median) << "\n"
       << "  95 %    " << value(s.p95) << "\n"
-      << "  worst   " << value(worst.value) << "  at " << coordinates(worst.at) << "\n";
+      << "  worst   " << value(worst.value) << "  at " << coordinates(worst.at)
+      << " m\n";
   if (field.discretization_error) {
     out << "  between the nodes, 95 % of the volume is within " << std::setprecision(2)
         << 100 * *field.discretization_error << " %\n";

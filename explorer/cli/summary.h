@@ -5,11 +5,9 @@
 
 #include "command.h"
 #include "delos/field/adaptive.h"
+#include "delos/text/words.h"
 
 namespace delos::cli {
-
-/// "1 sample", "2 samples"
-[[nodiscard]] std::string counted(std::size_t count, const char* noun);
 
 /// A text filled to a number of characters, of which UTF-8 may take several bytes.
 [[nodiscard]] std::string cell(const std::string& text, std::size_t width);

@@ -2,13 +2,12 @@
 
 #include "delos/scene/io.h"
 #include "delos/text/format.h"
+#include "delos/text/words.h"
 #include "report/pages.h"
 #include "report/words.h"
 
 namespace delos::report {
 namespace {
-
-std::string percent(double part) { return format_quantity(100 * part, "1") + " %"; }
 
 Html headline(const SceneReport& r) {
   const FieldStatistics s = summarize(r.field);
@@ -33,7 +32,7 @@ Html devices(const SceneReport& r) {
   std::vector<std::vector<Html>> rows;
   for (const DeviceRow& d : r.devices)
     rows.push_back({d.name, d.type,
-                    (d.on_target ? "on the target, " : "") + place_words(d.at) + " m",
+                    (d.on_target ? "on the target, " : "") + coordinates(d.at, 3) + " m",
                     percent(d.seen), std::to_string(d.lost),
                     std::isfinite(d.mean_rise)
                         ? (d.mean_rise < 0 ? "−" : "+") + percent(std::abs(d.mean_rise))
@@ -88,7 +87,7 @@ Html blind(const SceneReport& r) {
     }
     rows.push_back(
         {std::to_string(region.samples.size()),
-         place_words(region.box.min()) + " to " + place_words(region.box.max()) + " m",
+         coordinates(region.box.min(), 3) + " to " + coordinates(region.box.max(), 3) + " m",
          why(region)});
   }
   Html all = table(

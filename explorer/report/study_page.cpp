@@ -4,6 +4,7 @@
 
 #include "delos/scene/io.h"
 #include "delos/text/format.h"
+#include "delos/text/words.h"
 #include "report/chart.h"
 #include "report/pages.h"
 #include "report/words.h"
@@ -12,7 +13,7 @@ namespace delos::report {
 namespace {
 
 std::string signed_percent(double part) {
-  return (part < 0 ? "−" : "+") + format_quantity(std::abs(100 * part), "1") + " %";
+  return (part < 0 ? "−" : "+") + percent(std::abs(part));
 }
 
 std::size_t evaluations(const StudyReport& r) {

@@ -106,7 +106,7 @@ Html consensus_section(const Consensus& found, std::size_t starts,
     devices.push_back({d.name, to_string(d.settled),
                        format_quantity(100 * d.part_of_chance, "1", 2) + " %",
                        format_quantity(d.shift, "m"), format_quantity(d.turn, "rad"),
-                       place_words(d.at) + " m"});
+                       coordinates(d.at, 3) + " m"});
   Html content =
       table("Distinct layouts among the best designs of " + std::to_string(starts) +
                 " starts; devices of one kind are interchangeable",

@@ -4,6 +4,7 @@
 
 #include "delos/model/metric.h"
 #include "delos/text/format.h"
+#include "delos/text/words.h"
 
 namespace delos::report {
 namespace {
@@ -28,12 +29,12 @@ struct Words {
   }
   std::string operator()(const KeepTilt& k) const {
     return are(k.devices) + "at most " + format_quantity(k.angle, "rad") +
-           " away from the direction " + place_words(k.from);
+           " away from the direction " + coordinates(k.from, 3);
   }
   std::string operator()(const KeepClear& k) const {
     return are(k.devices) + "at least " + metres(k.distance) +
-           " from the line between " + place_words(k.from) + " and " +
-           place_words(k.to);
+           " from the line between " + coordinates(k.from, 3) + " and " +
+           coordinates(k.to, 3);
   }
   std::string operator()(const KeepSum& k) const {
     std::string text;
@@ -55,28 +56,8 @@ struct Words {
 
 }  // namespace
 
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kShown = 8;
-  std::string text;
-  const std::size_t shown = names.size() > kShown ? kShown - 1 : names.size();
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool last = i + 1 == names.size();
-    text += (i == 0 ? "" : last ? " and " : ", ") + names[i];
-  }
-  if (shown < names.size())
-    text += " and " + std::to_string(names.size() - shown) + " more";
-  return text;
-}
-
 std::string constraint_words(const ConstraintEntry& entry, const Scene& scene) {
   return std::visit(Words{scene}, entry.what);
-}
-
-std::string place_words(const Eigen::Vector3d& p) {
-  std::string text;
-  for (int i = 0; i < 3; ++i)
-    text += (i == 0 ? "(" : ", ") + format_quantity(p[i], "1");
-  return text + ")";
 }
 
 }  // namespace delos::report

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "delos/model/infinity.h"
+#include "delos/text/words.h"
 #include "nlopt/solver.h"
 #include "search/feasible.h"
 #include "search/start.h"
@@ -89,12 +90,6 @@ std::vector<double> start_of(const std::vector<double>& given, int index,
     value =
         index % 2 == 1 ? std::clamp(value + 0.3 * (unit() - 0.5), 0.0, 1.0) : unit();
   return x;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 /// Starts that are worked on by several threads, each at a workplace of its own.

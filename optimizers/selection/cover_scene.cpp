@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "delos/layers/candidate_information.h"
+#include "delos/text/words.h"
 #include "selection/question.h"
 
 namespace delos {

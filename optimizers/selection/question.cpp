@@ -6,6 +6,7 @@
 
 #include "delos/field/evaluate.h"
 #include "delos/text/units.h"
+#include "delos/text/words.h"
 #include "problem/guess.h"
 
 namespace delos {
@@ -60,10 +61,6 @@ std::vector<Decision> decisions_of(const CandidateScene& all) {
 }
 
 }  // namespace
-
-std::string coordinates(const Eigen::Vector3d& p) {
-  return '(' + shortest(p.x()) + ", " + shortest(p.y()) + ", " + shortest(p.z()) + ')';
-}
 
 std::vector<unsigned char> samples_inside_solids(const System& system,
                                                  const Samples& samples,

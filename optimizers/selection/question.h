@@ -24,9 +24,6 @@ struct Question {
   std::vector<Decision> decisions;
 };
 
-/// "(1, 2, 0.5)"
-[[nodiscard]] std::string coordinates(const Eigen::Vector3d& p);
-
 /// One flag a sample, or empty where nothing is solid.
 [[nodiscard]] std::vector<unsigned char> samples_inside_solids(
     const System& system, const Samples& samples, const Orientations& orientations);

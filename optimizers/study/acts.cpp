@@ -8,26 +8,20 @@
 #include "delos/scene/io.h"
 #include "delos/scene/number.h"
 #include "delos/text/units.h"
+#include "delos/text/words.h"
 
 namespace delos {
 namespace {
 
-/// Whether a path fits a pattern in which '*' stands for anything; a pattern also fits
-/// what its path is a part of: "devices.c1" is all of c1.
-bool fits(std::string_view path, std::string_view pattern) {
-  if (pattern.empty()) return path.empty() || path.front() == '.';
-  if (pattern.front() != '*')
-    return !path.empty() && path.front() == pattern.front() &&
-           fits(path.substr(1), pattern.substr(1));
-  for (std::size_t skip = 0; skip <= path.size(); ++skip)
-    if (fits(path.substr(skip), pattern.substr(1))) return true;
-  return false;
+/// A pattern also fits what its path is a part of: "devices.c1" is all of c1.
+bool path_fits(std::string_view path, const std::string& pattern) {
+  return fits(path, pattern) || fits(path, pattern + ".*");
 }
 
 void lock(StudyPosition& now, const std::string& pattern, bool on) {
   bool any = false;
   for (const VariableEntry& v : now.scene.variables) {
-    if (!fits(v.path, pattern)) continue;
+    if (!path_fits(v.path, pattern)) continue;
     any = true;
     const auto at = std::find(now.locked.begin(), now.locked.end(), v.path);
     if (on && at == now.locked.end()) now.locked.push_back(v.path);

@@ -69,5 +69,23 @@ TEST(Names, AreDefinedOnce) {
   }
 }
 
+/// With its folder on the include path, a header of such a name is found in place of
+/// the library's, and nothing compiles.
+TEST(Names, OfHeadersAreNotThoseOfTheCLibrary) {
+  const std::set<std::string> taken = {
+      "assert.h", "complex.h", "ctype.h",    "errno.h",  "fenv.h",   "float.h",
+      "limits.h", "locale.h",  "math.h",     "setjmp.h", "signal.h", "stdarg.h",
+      "stddef.h", "stdint.h",  "stdio.h",    "stdlib.h", "string.h", "tgmath.h",
+      "time.h",   "uchar.h",   "wchar.h",    "wctype.h", "values.h", "search.h",
+      "memory.h", "strings.h", "semaphore.h"};
+  for (const char* folder : {"kernel/src", "optimizers", "explorer", "plugins"}) {
+    for (const Source& source : sources(folder)) {
+      const std::string name = source.path.substr(source.path.rfind('/') + 1);
+      const bool in_public = source.path.find("/include/delos/") != std::string::npos;
+      EXPECT_TRUE(in_public || taken.count(name) == 0) << source.path;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace delos::test

@@ -25,10 +25,6 @@ const char* kind_name(Node::Kind kind) {
   return "";
 }
 
-std::string counted(std::size_t n, const char* noun) {
-  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::string Place::path() const {
@@ -201,12 +197,6 @@ std::optional<std::size_t> Reader::choice(const Place& at,
   error(at, '\'' + *text + "' is none of " + joined(known) +
                 (meant.empty() ? "" : "; did you mean '" + meant + "'?"));
   return std::nullopt;
-}
-
-std::string joined(std::span<const std::string> words) {
-  std::string text;
-  for (const std::string& w : words) text += (text.empty() ? "" : ", ") + w;
-  return text;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string> known) {

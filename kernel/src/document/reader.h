@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "delos/plugin/registry.h"
+#include "delos/text/words.h"
 #include "document/findings.h"
 #include "document/yaml_tree.h"
 #include "geometry/mesh/mesh_files.h"
@@ -102,9 +103,6 @@ struct Reader {
 /// "; did you mean 'focal'?", or "; known: a, b, c" where nothing is near.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string> known);
-
-/// "a, b, c"
-[[nodiscard]] std::string joined(std::span<const std::string> words);
 
 /// Report every key that a map holds twice, in the whole tree.
 void check_duplicate_keys(Reader& reader, const Place& at);

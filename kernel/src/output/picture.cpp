@@ -35,7 +35,7 @@ double draw_legend(Canvas& canvas, double x, double baseline, const Slice& slice
     paint(canvas, swatch);
     canvas.outline(
         {swatch.x + 0.5, swatch.y + 0.5, swatch.width - 1, swatch.height - 1}, kFrame);
-    const std::string text = what + " " + percent(cells, slice.value.size());
+    const std::string text = what + " " + share_text(cells, slice.value.size());
     canvas.text(swatch.right() + 7, baseline, 0, text, kSmall);
     x = swatch.right() + 7 + canvas.text_width(text, kSmall) + 18;
   };

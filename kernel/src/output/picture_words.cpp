@@ -9,7 +9,7 @@
 
 namespace delos {
 
-std::string percent(std::size_t part, std::size_t whole) {
+std::string share_text(std::size_t part, std::size_t whole) {
   if (part == whole) return "100 %";
   const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
   if (part > 0 && share < 1) return "< 1 %";
@@ -33,7 +33,7 @@ std::string subtitle(const Field& field, const PictureOptions& options) {
   } else {
     text = "Whole field: ";
   }
-  text += percent(s.observable, s.samples) + " of " + grouped(s.samples) +
+  text += share_text(s.observable, s.samples) + " of " + grouped(s.samples) +
           (s.samples == 1 ? " sample observable" : " samples observable");
   if (field.cancelled)
     text += "; cancelled after " + grouped(field.evaluated) + " samples";

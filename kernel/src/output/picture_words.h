@@ -9,7 +9,7 @@
 namespace delos {
 
 /// A share as people say it: "12 %", "< 1 %", "> 99 %".
-[[nodiscard]] std::string percent(std::size_t part, std::size_t whole);
+[[nodiscard]] std::string share_text(std::size_t part, std::size_t whole);
 
 /// "scene — metric [unit], z = 0.24 m", in two pieces so that a long scene name can
 /// give way to what follows.

@@ -83,7 +83,7 @@ std::string legend(const Field& field, const Slice& slice, const ColourScale& sc
   const std::size_t blind = slice.value.size() - slice.finite - solid;
   if (blind > 0) {
     text += field.cancelled ? "   · blind or not evaluated " : "   · blind ";
-    text += percent(blind, slice.value.size());
+    text += share_text(blind, slice.value.size());
   }
   return text + "\n";
 }

@@ -72,7 +72,7 @@ std::string open_plugin(const fs::path& file, const PluginInfo*& info) {
 }
 
 /// Folders for an error message, those that aren't there marked.
-std::string listed(const std::vector<fs::path>& folders) {
+std::string folders_text(const std::vector<fs::path>& folders) {
   std::string text;
   for (const fs::path& folder : folders) {
     std::error_code ignored;
@@ -108,8 +108,8 @@ const PluginLoad& PluginRegistry::find(std::string_view id) {
   load.path = locate(folders_, id);
   if (load.path.empty()) {
     const std::string meant = nearest(id, ids());
-    load.error = "there is no plugin '" + std::string(id) + "' in " + listed(folders_) +
-                 "; " +
+    load.error = "there is no plugin '" + std::string(id) + "' in " +
+                 folders_text(folders_) + "; " +
                  (meant.empty() ? "put its library there, or its folder into "
                                   "DELOS_PLUGIN_PATH"
                                 : "did you mean '" + meant + "'?");

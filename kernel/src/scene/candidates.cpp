@@ -10,8 +10,8 @@
 
 #include "delos/device/beacons.h"
 #include "delos/sampling/samples.h"
+#include "delos/text/words.h"
 #include "scene/beacon_grid.h"
-#include "text/name_pattern.h"
 
 namespace delos {
 namespace {

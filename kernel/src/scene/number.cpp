@@ -5,8 +5,8 @@
 #include <span>
 
 #include "delos/model/infinity.h"
+#include "delos/text/words.h"
 #include "document/reader.h"
-#include "text/name_pattern.h"
 
 namespace delos {
 namespace {
@@ -210,12 +210,6 @@ class Walk {
   PluginRegistry& plugins_;
 };
 
-std::string joined_path(const std::vector<std::string>& parts) {
-  std::string path = parts.front();
-  for (std::size_t i = 1; i < parts.size(); ++i) path += '.' + parts[i];
-  return path;
-}
-
 template <class Entry>
 std::vector<std::string> fitting(const std::vector<Entry>& entries,
                                  const std::string& pattern) {
@@ -239,7 +233,7 @@ std::vector<std::string> members(const Scene& scene, const std::string& pattern)
   std::vector<std::string> paths;
   for (const std::string& name : names) {
     parts[1] = name;
-    paths.push_back(joined_path(parts));
+    paths.push_back(joined(parts, "."));
   }
   return paths;
 }
