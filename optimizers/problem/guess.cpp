@@ -70,8 +70,7 @@ bool takes_guess(const System& system) {
 }
 
 double guess_information(const System& system, double sigma) {
-  const double weight =
-      system.fusion == Fusion::continuous ? 1 / system.devices.front().period : 1;
+  const double weight = information_weight(system, system.devices.front());
   return takes_guess(system) ? weight / (sigma * sigma) : 0;
 }
 

@@ -16,15 +16,13 @@ double coverage(const LayerBlock& block) {
   return seen;
 }
 
-/// Whitened rows with the weight that fusion gives each device: √(1/period) where the
-/// information is a rate.
+/// Whitened rows with the weight that fusion gives each device.
 Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened) {
   Eigen::MatrixXd rows = whitened.rows;
-  if (system.fusion != Fusion::continuous) return rows;
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
     const auto device =
         static_cast<std::size_t>(whitened.device[static_cast<std::size_t>(r)]);
-    rows.row(r) /= std::sqrt(system.devices[device].period);
+    rows.row(r) *= std::sqrt(information_weight(system, system.devices[device]));
   }
   return rows;
 }

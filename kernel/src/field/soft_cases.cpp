@@ -44,7 +44,7 @@ void SoftField::State::observe(const SoftInformation& soft, std::size_t point,
   scratch.S.diagonal().head(system.motion.layout.coordinates()).setConstant(floor);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& device = system.devices[i];
-    soft.add(device, pose(point, turn), weight_of(system, device),
+    soft.add(device, pose(point, turn), information_weight(system, device),
              lines_of(point, turn, i), scratch.measure, scratch.S);
   }
 }
@@ -55,7 +55,7 @@ void SoftField::State::observe_layers(const SoftInformation& soft, std::size_t p
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& device = system.devices[i];
     scratch.S.setZero(columns, columns);
-    soft.add(device, pose(point, turn), weight_of(system, device),
+    soft.add(device, pose(point, turn), information_weight(system, device),
              lines_of(point, turn, i), scratch.measure, scratch.S);
     pack(scratch.S, &scratch.layers[i * packed()]);
   }

@@ -83,7 +83,7 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
   for (std::size_t i = 0; i < devices; ++i) {
     const PlacedDevice& device = s.system.devices[i];
     if (exact[i]) {
-      slopes[i] *= weight_of(s.system, device);
+      slopes[i] *= information_weight(s.system, device);
       continue;
     }
     // The place of these means nothing, or isn't in the world.
@@ -109,7 +109,7 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
 double SoftField::contraction(std::size_t index, const PlacedDevice& device) const {
   State& s = *state_;
   const SoftInformation soft(s.system, *s.occluders, s.width);
-  const double weight = weight_of(s.system, device);
+  const double weight = information_weight(s.system, device);
   // Where it stands as it did, it sees along the same lines.
   const bool moved = !(device.X_WS == s.system.devices[index].X_WS);
   std::vector<double> of_chunks(s.chunks());

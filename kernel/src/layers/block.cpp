@@ -12,7 +12,7 @@ namespace {
 std::vector<double> fusion_weights(const System& system) {
   std::vector<double> weights;
   for (const PlacedDevice& d : system.devices) {
-    weights.push_back(system.fusion == Fusion::continuous ? 1 / d.period : 1.0);
+    weights.push_back(information_weight(system, d));
   }
   return weights;
 }
@@ -24,22 +24,21 @@ void observe_poses(const System& system, const PlacedDevice& placed, int columns
   MeasureScratch scratch;
   for (std::size_t lane = 0; lane < poses.size(); ++lane) {
     const std::uint64_t bit = std::uint64_t{1} << lane;
-    const auto noisy = [&](const auto& row, double variance) {
-      const double weight = 1 / variance;
+    const auto add = [&](const StateRow& row) {
+      if (row.perfect()) {
+        perfect |= bit;
+        return;
+      }
+      const double weight = row.weight();
       for (int i = 0; i < columns; ++i) {
-        const double scaled = weight * row(i);
+        const double scaled = weight * row.h(i);
         for (int j = 0; j <= i; ++j) {
           layer[static_cast<std::size_t>(packed_index(i, j)) * kLanes + lane] +=
-              scaled * row(j);
+              scaled * row.h(j);
         }
       }
     };
-    const auto exact = [&](const auto&) { perfect |= bit; };
-    const bool sees =
-        measure(system, placed, poses[lane], columns, scratch,
-                [&](const StateRows& rows, const decltype(Observation::R)& R) {
-                  whiten(rows, R, noisy, exact);
-                });
+    const bool sees = measure(system, placed, poses[lane], columns, scratch, add);
     if (sees) seen |= bit;
   }
 }

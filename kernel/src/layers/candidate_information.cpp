@@ -61,20 +61,17 @@ class PoseEntries {
     exact.clear();
   }
 
-  /// Take over rows of a candidate, whitened.
-  void add(int candidate, const StateRows& rows, const decltype(Observation::R)& R,
-           double weight) {
-    whiten(
-        rows, R,
-        [&](const auto& row, double variance) {
-          double* S = of(candidate);
-          for (int i = 0; i < columns_; ++i)
-            for (int j = 0; j <= i; ++j)
-              S[packed_index(i, j)] += weight / variance * row(i) * row(j);
-        },
-        [&](const auto& row) {
-          exact.push_back({candidate, row.head(columns_)});
-        });
+  /// Take over a row of a candidate.
+  void add(int candidate, const StateRow& row, double weight) {
+    if (row.perfect()) {
+      exact.push_back({candidate, row.h});
+      return;
+    }
+    double* S = of(candidate);
+    const double all = weight * row.weight();
+    for (int i = 0; i < columns_; ++i)
+      for (int j = 0; j <= i; ++j)
+        S[packed_index(i, j)] += all * row.h(i) * row.h(j);
   }
 
   /// In the order of the candidates; nothing can be added any more.
@@ -122,19 +119,11 @@ void observe(const System& system, const CandidateScene& all,
   const int columns = information_size(system);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& placed = system.devices[i];
-    const double weight = system.fusion == Fusion::continuous ? 1 / placed.period : 1.0;
-    std::size_t sighting = 0;
-    const auto& list = scratch.sightings.all;
-    measure(system, placed, pose, columns, scratch,
-            [&](const StateRows& rows, const decltype(Observation::R)& R) {
-              int candidate = all.of_device[i];
-              if (placed.beacons) {
-                while (list[sighting].share == 0) ++sighting;
-                const int owner = owners[i][list[sighting++].beacon];
-                if (owner >= 0) candidate = owner;
-              }
-              out.add(candidate, rows, R, weight);
-            });
+    const double weight = information_weight(system, placed);
+    measure(system, placed, pose, columns, scratch, [&](const StateRow& row) {
+      const int owner = placed.beacons ? owners[i][row.beacon] : -1;
+      out.add(owner >= 0 ? owner : all.of_device[i], row, weight);
+    });
   }
 }
 

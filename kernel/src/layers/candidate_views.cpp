@@ -35,8 +35,7 @@ class Views {
     const int columns = information_size(system_);
     std::uint64_t seen = 0;
     for (std::size_t p = 0; p < poses.size(); ++p)
-      if (measure(system_, placed, poses[p], columns, scratch_,
-                  [](const auto&, const auto&) {}))
+      if (measure(system_, placed, poses[p], columns, scratch_, [](const StateRow&) {}))
         seen |= std::uint64_t{1} << p;
     return seen;
   }

@@ -153,14 +153,14 @@ WhitenedRows whitened_rows(const System& system, const TargetPose& pose) {
   WhitenedRows out;
   MeasureScratch scratch;
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    const auto keep = [&](const auto& row, double variance) {
-      noisy.emplace_back(row / std::sqrt(variance));
-      out.device.push_back(static_cast<int>(i));
-    };
-    const auto keep_exact = [&](const auto& row) { exact.emplace_back(row); };
     measure(system, system.devices[i], pose, columns, scratch,
-            [&](const StateRows& rows, const decltype(Observation::R)& R) {
-              whiten(rows, R, keep, keep_exact);
+            [&](const StateRow& row) {
+              if (row.perfect()) {
+                exact.emplace_back(row.h);
+                return;
+              }
+              noisy.emplace_back(row.h * std::sqrt(row.weight()));
+              out.device.push_back(static_cast<int>(i));
             });
   }
   out.rows.resize(static_cast<Eigen::Index>(noisy.size()), columns);

@@ -39,6 +39,16 @@ struct BeaconSightings {
   Observation observation;
 };
 
+/// Visit the rows of all sightings that an update uses: visit(sighting, row).
+template <class Visit>
+void each_used_row(const BeaconSightings& sightings, Visit&& visit) {
+  for (const BeaconSighting& s : sightings.all) {
+    if (s.share == 0) continue;
+    for (std::uint32_t r = s.first_row; r < s.first_row + s.rows; ++r)
+      visit(s, sightings.rows[r]);
+  }
+}
+
 /// A view's cone, in W. @param X_WS the device on the target, in W
 [[nodiscard]] ViewCone cone_in_world(const PlacedDevice& placed, int view,
                                      const Pose& X_WS);

@@ -129,4 +129,8 @@ int information_size(const System& system) {
   return pose_alone ? layout.coordinates() : layout.size();
 }
 
+double information_weight(const System& system, const PlacedDevice& device) {
+  return system.fusion == Fusion::continuous ? 1 / device.period : 1;
+}
+
 }  // namespace delos

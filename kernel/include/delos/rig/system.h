@@ -63,6 +63,11 @@ struct System {
 /// alone, else n.
 [[nodiscard]] DELOS_API int information_size(const System& system);
 
+/// By how much of what a device measures at once the information grows in one update,
+/// or, under continuous fusion, in a second: 1, or its rate.
+[[nodiscard]] DELOS_API double information_weight(const System& system,
+                                                  const PlacedDevice& device);
+
 /// A target's pose in the world, X_WT.
 using TargetPose = Pose;
 
