@@ -180,6 +180,26 @@ TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
   }
 }
 
+// The prior stands in the total alone, as S = prior·1 + Σ S_i.
+TEST(Layers, APriorRecomputesNoDevice) {
+  System system = many_devices();
+  InformationLayers layers(system, grid_poses());
+  LayerBlock scratch;
+  const LayerBlock without = layers.block(1, scratch);
+  system.prior = 0.25;
+  EXPECT_EQ(layers.update(system), 0u);
+  expect_same(layers, InformationLayers(system, grid_poses()));
+  const LayerBlock& with = layers.block(1, scratch);
+  EXPECT_EQ(with.layers, without.layers);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const auto e = static_cast<std::size_t>(packed_index(i, j) * kLanes + 5);
+      EXPECT_NEAR(with.total[e] - without.total[e], i == j ? 0.25 : 0,
+                  1e-12 * std::abs(without.total[e]));
+    }
+  }
+}
+
 // A device that fails leaves the layers of a system that never had it.
 TEST(Layers, WithoutADeviceAreThoseOfTheOthers) {
   const System system = many_devices();

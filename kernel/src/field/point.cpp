@@ -16,7 +16,7 @@ double coverage(const LayerBlock& block) {
   return seen;
 }
 
-/// Whitened rows with the weight that fusion gives each device.
+/// Whitened rows with the weight that fusion gives each device, and the prior's.
 Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened) {
   Eigen::MatrixXd rows = whitened.rows;
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
@@ -24,6 +24,11 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
         static_cast<std::size_t>(whitened.device[static_cast<std::size_t>(r)]);
     rows.row(r) *= std::sqrt(information_weight(system, system.devices[device]));
   }
+  if (system.prior == 0) return rows;
+  const Eigen::Index measured = rows.rows(), d = system.motion.layout.coordinates();
+  rows.conservativeResize(measured + d, Eigen::NoChange);
+  rows.bottomRows(d).setZero();
+  rows.bottomLeftCorner(d, d).diagonal().setConstant(std::sqrt(system.prior));
   return rows;
 }
 

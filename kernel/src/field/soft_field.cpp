@@ -7,13 +7,12 @@
 namespace delos {
 
 SoftField::SoftField(Samples samples, Orientations orientations,
-                     std::vector<Metric> metrics, double floor, int threads)
+                     std::vector<Metric> metrics, int threads)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.samples = std::move(samples);
   s.orientations = std::move(orientations);
   s.metrics = std::move(metrics);
-  s.floor = floor;
   s.threads = threads;
   for (const Eigen::Vector3d& rpy : s.orientations.rpy)
     s.turns.push_back(rotation_from_rpy(rpy));

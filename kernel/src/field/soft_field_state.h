@@ -35,7 +35,6 @@ struct SoftField::State {
   Samples samples;
   Orientations orientations;
   std::vector<Metric> metrics;
-  double floor = 0;
   int threads = 0;
   std::vector<Eigen::Matrix3d> turns;
 

@@ -82,6 +82,8 @@ LayerShape::LayerShape(const System& system)
     : devices(system.devices.size()),
       groups((devices + kGroup - 1) / kGroup),
       columns(information_size(system)),
+      coordinates(system.motion.layout.coordinates()),
+      prior(system.prior),
       stride(static_cast<std::size_t>(packed_index(columns, 0)) * kLanes),
       weights(fusion_weights(system)) {}
 
@@ -124,6 +126,8 @@ void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block) {
 
 void sum_total(const LayerShape& shape, LayerBlock& block) {
   std::fill_n(block.total.data(), shape.stride, 0.0);
+  for (int k = 0; k < shape.coordinates; ++k)
+    std::fill_n(&block.total[packed_index(k, k) * kLanes], kLanes, shape.prior);
   for (std::size_t g = 0; g < shape.groups; ++g) {
     const double* sum = block.groups.data() + g * shape.stride;
     for (std::size_t e = 0; e < shape.stride; ++e) block.total[e] += sum[e];

@@ -48,9 +48,10 @@ std::vector<std::vector<int>> beacon_owners(const System& system,
 /// All that the candidates know at one pose.
 class PoseEntries {
  public:
-  PoseEntries(std::size_t candidates, int columns)
-      : columns_(columns),
-        packed_(static_cast<std::size_t>(packed_index(columns, 0))),
+  PoseEntries(const System& system, std::size_t candidates)
+      : system_(system),
+        columns_(information_size(system)),
+        packed_(static_cast<std::size_t>(packed_index(columns_, 0))),
         slot_(candidates, -1) {}
 
   void clear() {
@@ -58,6 +59,8 @@ class PoseEntries {
     seen.clear();
     information.clear();
     always.assign(packed_, 0.0);
+    for (int k = 0; k < system_.motion.layout.coordinates(); ++k)
+      always[static_cast<std::size_t>(packed_index(k, k))] = system_.prior;
     exact.clear();
   }
 
@@ -70,8 +73,7 @@ class PoseEntries {
     double* S = of(candidate);
     const double all = weight * row.weight();
     for (int i = 0; i < columns_; ++i)
-      for (int j = 0; j <= i; ++j)
-        S[packed_index(i, j)] += all * row.h(i) * row.h(j);
+      for (int j = 0; j <= i; ++j) S[packed_index(i, j)] += all * row.h(i) * row.h(j);
   }
 
   /// In the order of the candidates; nothing can be added any more.
@@ -108,6 +110,7 @@ class PoseEntries {
     return &information[static_cast<std::size_t>(slot) * packed_];
   }
 
+  const System& system_;
   int columns_;
   std::size_t packed_;
   std::vector<std::int32_t> slot_;
@@ -142,7 +145,7 @@ CandidateInformation candidate_information(const System& system,
 #pragma omp parallel num_threads(count)
   {
     MeasureScratch scratch;
-    PoseEntries entries(all.candidates.size(), information_size(system));
+    PoseEntries entries(system, all.candidates.size());
 #pragma omp for schedule(dynamic)
     for (std::size_t c = 0; c < chunks; ++c) {
       failure.guard([&] {

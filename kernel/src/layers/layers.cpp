@@ -75,6 +75,7 @@ std::size_t InformationLayers::update(const System& system) {
     if (!same_layer(system_, system, i)) changed.push_back(i);
   }
   const std::vector<double> weights = shape_->weights;
+  const double prior = shape_->prior;
   system_ = system;
   *shape_ = LayerShape(system);
   if (!same) {
@@ -82,7 +83,7 @@ std::size_t InformationLayers::update(const System& system) {
     return kept_ ? shape_->devices : 0;
   }
   const bool reweighted = weights != shape_->weights;
-  if (!kept_ || (changed.empty() && !reweighted)) return 0;
+  if (!kept_ || (changed.empty() && !reweighted && prior == shape_->prior)) return 0;
 
   std::vector<std::size_t> groups;
   for (std::size_t g = 0; g < shape_->groups; ++g) {

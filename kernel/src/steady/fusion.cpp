@@ -228,6 +228,9 @@ void FusionSolver::solve_general(const LayerBlock& block, int lane,
     for (std::size_t s = 0; s < cycle_.size(); ++s) {
       Measurement& m = scratch.cycle[s].measurement;
       m.information.setZero(n, n);
+      m.information.diagonal()
+          .head(system_.motion.layout.coordinates())
+          .setConstant(system_.prior);
       m.exact.resize(0, n);
       const auto add = [&](int device) {
         const auto i = static_cast<std::size_t>(device);

@@ -40,6 +40,9 @@ struct System {
   MotionModel motion;
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
+  /// Information that every update adds to each coordinate of the pose besides what the
+  /// devices measure, or its rate under continuous fusion; 1/m² and 1/rad², ≥ 0.
+  double prior = 0;
   std::vector<Eigen::Vector3d> markers;  ///< in the target's frame, metres
   std::vector<PlacedDevice> devices;
   std::vector<BeaconSet> beacon_sets;    ///< what the devices' beacons were made from
