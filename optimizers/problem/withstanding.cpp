@@ -41,12 +41,11 @@ void Problem::State::read_robust() {
 /// What each draw makes of the system as it was built.
 void Problem::State::draw() {
   for (World& world : drawn) {
-    System now = nominal.system;
-    const auto& last = world.system.devices;
-    for (std::size_t i = 0; i < now.devices.size(); ++i)
-      now.devices[i] = deviated(now.devices[i], world.deviations[i],
-                                last.empty() ? nullptr : &last[i]);
-    world.system = std::move(now);
+    world.system = nominal.system;
+    for (std::size_t i = 0; i < world.deviations.size(); ++i) {
+      PlacedDevice& device = world.system.devices[i];
+      device = deviated(device, world.deviations[i]);
+    }
   }
 }
 

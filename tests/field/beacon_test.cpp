@@ -210,6 +210,24 @@ std::vector<TargetPose> random_poses(int count) {
 
 int view_of(const SeenBeacon& seen) { return seen.view == "view 1"; }
 
+// The device's entries for one beacon and for many.
+TEST(Beacons, FourTimesTheNoiseIsAQuarterOfTheInformation) {
+  System system = carried_system(PoseState::pose, cloud(2000, 3));
+  const std::vector<TargetPose> poses = random_poses(20);
+  for (const bool lanes : {false, true}) {
+    if (lanes) system.devices[0].device = std::make_shared<TestLaneViews>();
+    System noisy = system;
+    noisy.devices[0].noise = 4;
+    const InformationLayers of_one(system, poses), of_other(noisy, poses);
+    LayerBlock a, b;
+    const std::vector<double>&one = of_one.block(0, a).total,
+          &other = of_other.block(0, b).total;
+    EXPECT_GT(*std::max_element(one.begin(), one.end()), 0);
+    for (std::size_t e = 0; e < one.size(); ++e)
+      EXPECT_NEAR(4 * other[e], one[e], 1e-14 * std::abs(one[e]));
+  }
+}
+
 TEST(Beacons, AreSeenAsALoopOverAllBeaconsAndViewsSays) {
   const std::vector<Beacon> beacons = cloud(2000, 3);
   System system = carried_system(PoseState::pose, beacons);

@@ -167,5 +167,29 @@ TEST(Rows, ContinuousFusionWeighsByTheRate) {
   }
 }
 
+// Of one pose at a time, and of many side by side; beacons: beacon_test.cpp.
+TEST(Rows, FourTimesTheNoiseIsAQuarterOfTheInformation) {
+  std::mt19937_64 random(6);
+  const std::shared_ptr<const Device> devices[] = {
+      std::make_shared<testing::TestRange>(0.01),
+      std::make_shared<testing::TestFullRange>(0.01),
+      std::make_shared<testing::TestLinear>(Span::pose, random_matrix(random, 2, 6),
+                                            MatrixXd::Identity(2, 2))};
+  for (const auto& device : devices) {
+    System system = testing::acoustic_system();
+    system.devices = {testing::place("d", device, random_pose(random), 50)};
+    const std::vector<TargetPose> poses = {random_pose(random)};
+    InformationLayers layers(system, poses);
+    LayerBlock scratch;
+    const std::vector<double> before = layers.block(0, scratch).total;
+    system.devices[0].noise = 4;
+    EXPECT_EQ(layers.update(system), 1u);
+    const std::vector<double> after = layers.block(0, scratch).total;
+    EXPECT_GT(before[0], 0);
+    for (std::size_t e = 0; e < before.size(); ++e)
+      EXPECT_NEAR(4 * after[e], before[e], 1e-14 * std::abs(before[e]));
+  }
+}
+
 }  // namespace
 }  // namespace delos

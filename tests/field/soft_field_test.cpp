@@ -43,7 +43,8 @@ TEST(SoftField, IsTheSameWhereDevicesSayWhereBallsAre) {
 }
 
 TEST(SoftField, IsTheFieldWhereEdgesAreHard) {
-  const System system = rig<testing::TestFullRange>(1.1);
+  System system = rig<testing::TestFullRange>(1.1);
+  system.devices[1].noise = 2.5;
   const Metric metric = testing::metric_of(system, "sigma_position");
   SoftField soft(kSamples, {}, {metric});
   const auto& values = soft.evaluate(system, 0);
@@ -64,6 +65,7 @@ template <class Range>
 void expect_slopes(double reach, double width) {
   System system = rig<Range>(reach);
   system.prior = 1;
+  system.devices[0].noise = 1.7;
   const Metric metric = testing::metric_of(system, "sigma_z");
   const std::vector<std::vector<double>> ones(
       1, std::vector<double>(kSamples.points.size(), 1.0));

@@ -49,7 +49,7 @@ struct ViewSightings {
     const Eigen::Vector3d arm = (*placed.beacons)[beacon].p - X_WT.p;
     fill_rows([&](const Eigen::Vector3d& h, double variance) {
       pull_row<1>(system.motion.layout, away, h.data(), arm.data(),
-                  out.rows.emplace_back(SightingRow{{}, variance}).h);
+                  out.rows.emplace_back(SightingRow{{}, placed.noise * variance}).h);
     });
     out.all.push_back({beacon, view, out.look.distance[l], out.look.weight[l], 0, first,
                        static_cast<std::uint32_t>(out.rows.size()) - first});

@@ -56,7 +56,7 @@ bool measure_points(const System& system, const PlacedDevice& placed,
              const Eigen::Vector3d h = row.transpose();
              pull_row<1>(system.motion.layout, placed.X_WS.R, h.data(), arm.data(),
                          scratch.row.h.data());
-             scratch.row.variance = variance;
+             scratch.row.variance = placed.noise * variance;
              visit(std::as_const(scratch.row));
            });
   }
@@ -108,7 +108,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
              row.h = in_S;
            else
              fill_row(layout, placed.X_WS.R, orders, in_S, row);
-           row.variance = variance;
+           row.variance = placed.noise * variance;
            visit(std::as_const(row));
          });
   return true;

@@ -45,13 +45,14 @@ std::uint64_t bits(const double* flags, int count) {
 }
 
 /// 1/r where the row is seen and has noise.
+/// @param noise a factor of r
 /// @returns the lanes where it is seen and has none
-std::uint64_t fill_weights(const double* variance, const double* seen, int count,
-                           double* weight) {
+std::uint64_t fill_weights(const double* variance, double noise, const double* seen,
+                           int count, double* weight) {
   double perfect[kLanes];
   for (int l = 0; l < kLanes; ++l) {
     const bool noisy = is_noise(variance[l]);
-    const double inverse = noisy ? 1 / variance[l] : 0.0;
+    const double inverse = noisy ? 1 / (noise * variance[l]) : 0.0;
     weight[l] = seen[l] > 0 ? inverse : 0.0;
     perfect[l] = noisy ? 0.0 : seen[l];
   }
@@ -93,8 +94,8 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
     Vectors h;
     fill_seen(rows.H[r], rows.seen, h);
     pull_row<kLanes>(system.motion.layout, placed.X_WS.R, h[0], arm[0], out.h[r][0]);
-    out.perfect |=
-        fill_weights(rows.variance[r], rows.seen, points.count, out.weight[r]);
+    out.perfect |= fill_weights(rows.variance[r], placed.noise, rows.seen, points.count,
+                                out.weight[r]);
   }
   if (may_be_hidden(system, placed)) look(system, placed, poses, arm, sight, out);
   return true;

@@ -149,7 +149,7 @@ bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
       const Eigen::Vector3d h = rows.H.row(i).transpose();
       pull_row<1>(system_.motion.layout, placed.X_WS.R, h.data(), arm.data(),
                   row.h.data());
-      row.variance = rows.variance(i);
+      row.variance = placed.noise * rows.variance(i);
       visit(std::as_const(row));
     }
   }
@@ -213,7 +213,7 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
         -from.cross(pull) +
         Eigen::Vector3d(A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0));
   }
-  return total;
+  return total / placed.noise;
 }
 
 }  // namespace delos

@@ -31,6 +31,7 @@ struct PlacedDevice {
   std::vector<std::string> sees;  ///< sets of beacons; empty: all
   SightingRule select = SightingRule::all;
   int count = 1;      ///< sightings an update, see `select`
+  double noise = 1;   ///< its noise's covariance is so many times what it says, > 0
   double period = 0;  ///< seconds between updates, > 0
   double phase = 0;   ///< seconds to the first update, ≥ 0
 };
