@@ -40,7 +40,8 @@ Deviation deviation(const Robustness& robust, int draw, const std::string& devic
 }
 
 PlacedDevice deviated(PlacedDevice device, const Deviation& by) {
-  Pose& X = device.beacons ? device.X_TS : device.X_WS;
+  auto* carried = std::get_if<TargetMount>(&device.mount);
+  Pose& X = carried ? carried->X_TS : device.X_WS();
   X.p += by.place;
   if (const double angle = by.turn.norm(); angle > 0)
     X.R = X.R * Eigen::AngleAxisd(angle, by.turn / angle).toRotationMatrix();

@@ -116,10 +116,9 @@ void Problem::State::find_touched() {
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       const PlacedDevice &a = system.devices[i], &b = moved.devices[i];
       if (a.period != b.period || a.phase != b.phase) what.all = true;
-      if (!(a.X_WS == b.X_WS)) what.poses.push_back(i);
-      const bool same_view = a.X_TS == b.X_TS && a.beacons == b.beacons &&
-                             a.select == b.select && a.count == b.count;
-      if (!(a.params == b.params) || !same_view) what.layers.push_back(i);
+      const bool moved = !(a.mount == b.mount);
+      if (moved && !a.carried()) what.poses.push_back(i);
+      if (!(a.params == b.params) || (moved && a.carried())) what.layers.push_back(i);
     }
     touched.push_back(std::move(what));
   }
@@ -187,7 +186,7 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
   // Beacons come into view and go at once, whatever the device's place.
   for (const Touched& what : s.touched)
     for (const std::size_t i : what.layers)
-      if (s.nominal.system.devices[i].beacons)
+      if (s.nominal.system.devices[i].carried())
         s.slope_problem = "what " + s.nominal.system.devices[i].name +
                           " sees of beacons has no derivative here";
   for (const Metric& metric : s.metrics) {

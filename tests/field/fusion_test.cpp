@@ -140,7 +140,7 @@ TEST(Fusion, RotatingTheWholeSceneRotatesP) {
     System turned = system;
     auto& q = std::get<ChainMotion>(turned.motion.dynamics).q;
     q = (turn.R * q * turn.R.transpose()).eval();
-    for (PlacedDevice& d : turned.devices) d.X_WS = turn * d.X_WS;
+    for (PlacedDevice& d : turned.devices) d.X_WS() = turn * d.X_WS();
     const FusedState moved = state_at(turned, turn * pose);
     const StateMatrix expected = congruent(still.prior, turn.R);
     EXPECT_LT((moved.prior - expected).norm(), 1e-11 * expected.norm());
@@ -280,7 +280,7 @@ TEST(Fusion, DerivativeMeasurementsTakeTheGeneralPath) {
   EXPECT_GE(smallest_eigenvalue(without.prior - with.prior), -1e-12);
   EXPECT_LT(with.prior(3, 3), 0.2 * without.prior(3, 3));
   // Isotropic noise looks the same from any mounting.
-  system.devices.back().X_WS.R.setIdentity();
+  system.devices.back().X_WS().R.setIdentity();
   const FusedState upright = state_at(system, {});
   EXPECT_LT((upright.prior - with.prior).norm(), 1e-12);
 }

@@ -87,7 +87,7 @@ TEST(Layers, AMovedDeviceRecomputesOneLayerToTheSameBytes) {
   System system = many_devices();
   InformationLayers layers(system, grid_poses());
   ASSERT_TRUE(layers.kept());
-  system.devices[9].X_WS.p.x() += 0.125;
+  system.devices[9].X_WS().p.x() += 0.125;
   EXPECT_EQ(layers.update(system), 1u);
   expect_same(layers, InformationLayers(system, grid_poses()));
 }

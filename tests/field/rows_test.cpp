@@ -49,7 +49,7 @@ System system_of(PoseState pose, int order, Span span, const MatrixXd& H,
 /// H diag(R_SW, …), and for points H R_SW [1, −[arm]×].
 MatrixXd rows_by_matrices(const System& system, Span span, const MatrixXd& H,
                           const TargetPose& X_WT) {
-  const Eigen::Matrix3d R_SW = system.devices[0].X_WS.R.transpose();
+  const Eigen::Matrix3d R_SW = system.devices[0].X_WS().R.transpose();
   MatrixXd all;
   if (span == Span::point) {
     MatrixXd lever(3, 6);

@@ -84,8 +84,8 @@ void expect_slopes(double reach, double width) {
     for (int k = 0; k < 3; ++k) {
       constexpr double kStep = 1e-5;
       System up = system, down = system;
-      up.devices[i].X_WS.p(k) += kStep;
-      down.devices[i].X_WS.p(k) -= kStep;
+      up.devices[i].X_WS().p(k) += kStep;
+      down.devices[i].X_WS().p(k) -= kStep;
       EXPECT_NEAR(slopes[i](k), (sum(up) - sum(down)) / (2 * kStep),
                   1e-6 * slopes[i].norm());
     }
@@ -145,7 +145,7 @@ TEST(SoftField, ShadowsHaveSoftEdges) {
   System system = rig<testing::TestFullRange>();
   system.prior = 1e-4;
   system.devices.resize(1);
-  system.devices[0].X_WS.p = {0, 0, 2};
+  system.devices[0].X_WS().p = {0, 0, 2};
   const auto variance_at = [&](double edge, double width) {
     OccluderEntry wall;
     wall.body = BoxShape{{-1, -1, 0.9}, {edge, 1, 1}};

@@ -48,7 +48,7 @@ PlacedDevice placed(const std::string& name, std::shared_ptr<const Device> devic
   PlacedDevice out;
   out.name = out.type = name;
   out.device = std::move(device);
-  out.X_WS.p = p;
+  out.X_WS().p = p;
   out.period = 0.02;
   return out;
 }

@@ -86,18 +86,18 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
       continue;
     }
     // The place of these means nothing, or isn't in the world.
-    if (device.device->span() == Span::state || device.beacons) continue;
+    if (device.device->span() == Span::state || device.carried()) continue;
     constexpr double kStep = 1e-5;  // metres, radians
     for (int k = 0; k < 6; ++k) {
       PlacedDevice to = device, from = device;
       const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(k % 3);
       if (k < 3) {
-        to.X_WS.p += step;
-        from.X_WS.p -= step;
+        to.X_WS().p += step;
+        from.X_WS().p -= step;
       } else {
         const Eigen::AngleAxisd turn(kStep, Eigen::Vector3d::Unit(k % 3));
-        to.X_WS.R = turn * device.X_WS.R;
-        from.X_WS.R = turn.inverse() * device.X_WS.R;
+        to.X_WS().R = turn * device.X_WS().R;
+        from.X_WS().R = turn.inverse() * device.X_WS().R;
       }
       slopes[i](k) = (contraction(i, to) - contraction(i, from)) / (2 * kStep);
     }
@@ -110,7 +110,7 @@ double SoftField::contraction(std::size_t index, const PlacedDevice& device) con
   const SoftInformation soft(s.system, *s.occluders, s.width);
   const double weight = information_weight(s.system, device);
   // Where it stands as it did, it sees along the same lines.
-  const bool moved = !(device.X_WS == s.system.devices[index].X_WS);
+  const bool moved = !(device.mount == s.system.devices[index].mount);
   std::vector<double> of_chunks(s.chunks());
   s.each_chunk([&](std::size_t c) {
     MeasureScratch scratch;

@@ -19,10 +19,11 @@ std::vector<std::vector<int>> beacon_owners(const System& system,
   std::vector<std::vector<int>> owners(system.devices.size());
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& placed = system.devices[i];
-    if (!placed.beacons) continue;
+    const TargetMount* mount = placed.carried();
+    if (!mount) continue;
     std::vector<int> listed;
     for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
-      const auto& sees = placed.sees;
+      const auto& sees = mount->sees;
       if (!sees.empty() &&
           std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) == sees.end())
         continue;
@@ -34,13 +35,13 @@ std::vector<std::vector<int>> beacon_owners(const System& system,
       throw std::invalid_argument(placed.name +
                                   " is a candidate, and so are beacons that it sees: "
                                   "choose one kind, then the other");
-    if (chosen && placed.select != SightingRule::all)
+    if (chosen && mount->select != SightingRule::all)
       throw std::invalid_argument(
           placed.name +
           " shares its updates among the beacons in view, so that another beacon may "
           "make it worse, and no bound is known; use 'select: all'");
     for (std::size_t b = 0; b < listed.size(); ++b)
-      owners[i].push_back(listed[placed.beacons->listed(b)]);
+      owners[i].push_back(listed[mount->beacons->listed(b)]);
   }
   return owners;
 }
@@ -124,7 +125,7 @@ void observe(const System& system, const CandidateScene& all,
     const PlacedDevice& placed = system.devices[i];
     const double weight = information_weight(system, placed);
     measure(system, placed, pose, columns, scratch, [&](const StateRow& row) {
-      const int owner = placed.beacons ? owners[i][row.beacon] : -1;
+      const int owner = placed.carried() ? owners[i][row.beacon] : -1;
       out.add(owner >= 0 ? owner : all.of_device[i], row, weight);
     });
   }

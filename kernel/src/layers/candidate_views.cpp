@@ -64,9 +64,10 @@ void add_beacons(const System& system, const CandidateScene& all, std::size_t de
                  std::vector<std::set<std::int32_t>>& of_candidate,
                  std::vector<std::int32_t>& always) {
   const PlacedDevice& placed = system.devices[device];
+  const TargetMount& mount = *placed.carried();
   std::vector<int> owners;
   for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
-    const auto& sees = placed.sees;
+    const auto& sees = mount.sees;
     if (sees.empty() ||
         std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) != sees.end())
       owners.insert(owners.end(), all.of_beacon[s].begin(), all.of_beacon[s].end());
@@ -76,7 +77,7 @@ void add_beacons(const System& system, const CandidateScene& all, std::size_t de
     see_beacons(system, placed, poses[p], sightings);
     bool anyway = false;
     for (const BeaconSighting& sighting : sightings.all) {
-      int owner = owners[placed.beacons->listed(sighting.beacon)];
+      int owner = owners[mount.beacons->listed(sighting.beacon)];
       if (owner < 0) owner = all.of_device[device];
       if (owner < 0)
         anyway = true;
@@ -104,7 +105,7 @@ CandidateViews candidate_views(const System& system, const CandidateScene& all,
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       failure.guard([&] {
-        if (!system.devices[i].beacons)
+        if (!system.devices[i].carried())
           of_device[i] = poses_of(own, system.devices[i], poses);
       });
     }
@@ -113,7 +114,7 @@ CandidateViews candidate_views(const System& system, const CandidateScene& all,
 
   std::vector<std::size_t> device_of(all.candidates.size(), system.devices.size());
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    if (system.devices[i].beacons) {
+    if (system.devices[i].carried()) {
       add_beacons(system, all, i, poses, by_beacons, views.always);
     } else if (all.of_device[i] >= 0) {
       device_of[static_cast<std::size_t>(all.of_device[i])] = i;

@@ -13,9 +13,7 @@ namespace {
 
 bool same_layer(const System& a, const System& b, std::size_t i) {
   const PlacedDevice &p = a.devices[i], &q = b.devices[i];
-  return p.device == q.device && p.X_WS == q.X_WS && p.X_TS == q.X_TS &&
-         p.beacons == q.beacons && p.select == q.select && p.count == q.count &&
-         p.noise == q.noise;
+  return p.device == q.device && p.mount == q.mount && p.noise == q.noise;
 }
 
 /// True where a layer of one is a layer of the other.

@@ -17,6 +17,7 @@ namespace {
 struct ViewSightings {
   const System& system;
   const PlacedDevice& placed;
+  const BeaconIndex& beacons;
   const TargetPose& X_WT;
   const Pose& X_WS;
   const Eigen::Matrix3d& away;  ///< −R_WS: beacons move the other way
@@ -38,7 +39,7 @@ struct ViewSightings {
     if (out.look.reached[l] == 0) return false;
     if (!may_hide) return true;
     const Eigen::Vector3d arm = X_WS * out.candidates.cone(view).apex - X_WT.p;
-    return in_sight(system, (*placed.beacons)[out.look.beacon[l]].p, X_WT, arm);
+    return in_sight(system, beacons[out.look.beacon[l]].p, X_WT, arm);
   }
 
   /// Append a sighting, whose rows fill_rows() appends.
@@ -46,7 +47,7 @@ struct ViewSightings {
   void append(int l, FillRows&& fill_rows) const {
     const std::uint32_t beacon = out.look.beacon[l];
     const auto first = static_cast<std::uint32_t>(out.rows.size());
-    const Eigen::Vector3d arm = (*placed.beacons)[beacon].p - X_WT.p;
+    const Eigen::Vector3d arm = beacons[beacon].p - X_WT.p;
     fill_rows([&](const Eigen::Vector3d& h, double variance) {
       pull_row<1>(system.motion.layout, away, h.data(), arm.data(),
                   out.rows.emplace_back(SightingRow{{}, placed.noise * variance}).h);
@@ -123,13 +124,14 @@ void see_candidates(const System& system, const PlacedDevice& placed,
                     const TargetPose& X_WT, BeaconSightings& out) {
   out.all.clear();
   out.rows.clear();
-  const Pose X_WS = X_WT * placed.X_TS;
+  const TargetMount& mount = *placed.carried();
+  const Pose X_WS = X_WT * mount.X_TS;
   const Eigen::Vector3d origin_S = -(X_WS.R.transpose() * X_WS.p);
   const Eigen::Matrix3d away = -X_WS.R;
   const bool may_hide = may_be_hidden(system, placed);
   for (int view = 0; view < placed.device->views(); ++view) {
-    const ViewSightings sightings{system, placed,   X_WT, X_WS,
-                                  away,   may_hide, view, out};
+    const ViewSightings sightings{system, placed,   *mount.beacons, X_WT, X_WS,
+                                  away,   may_hide, view,           out};
     const auto all = out.candidates.in_cone(view, origin_S);
     for (std::size_t first = 0; first < all.size(); first += kLanes) {
       const std::size_t count = std::min<std::size_t>(kLanes, all.size() - first);
@@ -137,7 +139,7 @@ void see_candidates(const System& system, const PlacedDevice& placed,
       sightings.add();
     }
   }
-  choose(placed.select, placed.count, system.motion.layout.coordinates(), out);
+  choose(mount.select, mount.count, system.motion.layout.coordinates(), out);
 }
 
 bool add_information(const BeaconSightings& sightings, int coordinates, double* S) {

@@ -54,7 +54,7 @@ void each_used_row(const BeaconSightings& sightings, Visit&& visit) {
                                      const Pose& X_WS);
 
 /// Find what the device sees of its beacons from the pose, and how often it uses each.
-/// @pre placed.beacons isn't null
+/// @pre the target carries it
 void see_beacons(const System& system, const PlacedDevice& placed,
                  const TargetPose& X_WT, BeaconSightings& out);
 /// The same at one of the poses that out.candidates was made for.

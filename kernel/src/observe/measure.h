@@ -47,14 +47,14 @@ bool measure_points(const System& system, const PlacedDevice& placed,
   scratch.target.R_ST.setIdentity();  // of another device before
   for (const Eigen::Vector3d& marker : system.markers) {
     const Eigen::Vector3d arm = X_WT.R * marker;
-    scratch.target.p_ST = seen_at(placed.X_WS, X_WT.p, arm);
+    scratch.target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
     if (!placed.device->observe(scratch.target, scratch.observation)) continue;
-    if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, arm)) continue;
+    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, arm)) continue;
     seen = true;
     whiten(scratch.observation.H, scratch.observation.R,
            [&](const auto& row, double variance) {
              const Eigen::Vector3d h = row.transpose();
-             pull_row<1>(system.motion.layout, placed.X_WS.R, h.data(), arm.data(),
+             pull_row<1>(system.motion.layout, placed.X_WS().R, h.data(), arm.data(),
                          scratch.row.h.data());
              scratch.row.variance = placed.noise * variance;
              visit(std::as_const(scratch.row));
@@ -88,18 +88,18 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
   StateRow& row = scratch.row;
   row.h.setZero(columns);
   row.share = 1;
-  if (placed.beacons) return measure_beacons(system, placed, X_WT, scratch, visit);
+  if (placed.carried()) return measure_beacons(system, placed, X_WT, scratch, visit);
   const Span span = placed.device->span();
   if (span == Span::point) return measure_points(system, placed, X_WT, scratch, visit);
 
   const StateLayout& layout = system.motion.layout;
   Target& target = scratch.target;
-  target.p_ST = seen_at(placed.X_WS, X_WT.p, Eigen::Vector3d::Zero());
-  target.R_ST.noalias() = placed.X_WS.R.transpose() * X_WT.R;
+  target.p_ST = seen_at(placed.X_WS(), X_WT.p, Eigen::Vector3d::Zero());
+  target.R_ST.noalias() = placed.X_WS().R.transpose() * X_WT.R;
   target.state.setZero(span == Span::state ? layout.size() : 0);
   if (!placed.device->observe(target, scratch.observation)) return false;
   if (may_be_hidden(system, placed) &&
-      !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0}))
+      !in_sight(system, placed.X_WS().p, X_WT, {0, 0, 0}))
     return false;
   const int orders = span == Span::motion ? layout.order : 1;
   whiten(scratch.observation.H, scratch.observation.R,
@@ -107,7 +107,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
            if (span == Span::state)
              row.h = in_S;
            else
-             fill_row(layout, placed.X_WS.R, orders, in_S, row);
+             fill_row(layout, placed.X_WS().R, orders, in_S, row);
            row.variance = placed.noise * variance;
            visit(std::as_const(row));
          });

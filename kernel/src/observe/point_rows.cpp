@@ -68,8 +68,8 @@ void look(const System& system, const PlacedDevice& placed,
     bool clear = sight && sight[l] == Sight::clear;
     if (!sight || sight[l] == Sight::unknown) {
       ++out.rays;
-      clear =
-          in_sight(system, placed.X_WS.p, poses[l], {arm[0][l], arm[1][l], arm[2][l]});
+      clear = in_sight(system, placed.X_WS().p, poses[l],
+                       {arm[0][l], arm[1][l], arm[2][l]});
     }
     if (!clear) out.hidden |= std::uint64_t{1} << l;
   }
@@ -80,12 +80,12 @@ void look(const System& system, const PlacedDevice& placed,
 bool observe_rows(const System& system, const PlacedDevice& placed,
                   const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out) {
-  if (placed.beacons || placed.device->span() != Span::point) return false;
+  if (placed.carried() || placed.device->span() != Span::point) return false;
   PointLanes points;
   RowLanes rows;
   Vectors arm = {};
   if (!marker.isZero(0)) fill_arms(poses, marker, arm);
-  fill_points(placed.X_WS, poses, arm, points);
+  fill_points(placed.X_WS(), poses, arm, points);
   if (!placed.device->observe_lanes(points, rows)) return false;
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);
@@ -93,7 +93,7 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
   for (int r = 0; r < rows.rows; ++r) {
     Vectors h;
     fill_seen(rows.H[r], rows.seen, h);
-    pull_row<kLanes>(system.motion.layout, placed.X_WS.R, h[0], arm[0], out.h[r][0]);
+    pull_row<kLanes>(system.motion.layout, placed.X_WS().R, h[0], arm[0], out.h[r][0]);
     out.perfect |= fill_weights(rows.variance[r], placed.noise, rows.seen, points.count,
                                 out.weight[r]);
   }

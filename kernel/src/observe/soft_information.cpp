@@ -92,10 +92,11 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
                                      const Eigen::Vector3d& arm) const {
   Sightline line{1, Eigen::Vector3d::Zero()};
   if (!may_be_hidden(system_, placed)) return line;
-  if (!in_sight(system_, placed.X_WS.p, X_WT, arm)) return {0, Eigen::Vector3d::Zero()};
+  if (!in_sight(system_, placed.X_WS().p, X_WT, arm))
+    return {0, Eigen::Vector3d::Zero()};
   if (width_ == 0) return line;
 
-  const Eigen::Vector3d device = placed.X_WS.p, marker = X_WT.p + arm;
+  const Eigen::Vector3d device = placed.X_WS().p, marker = X_WT.p + arm;
   const double length = (marker - device).norm();
   const double limit = kShadowPart * width_ * length;
   const auto soften = [&](const Clearance& bodies, const Pose& X_BW) {
@@ -120,7 +121,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
-  return !placed.beacons && placed.device->span() == Span::point &&
+  return !placed.carried() && placed.device->span() == Span::point &&
          placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
 }
 
@@ -128,12 +129,12 @@ template <class Visit>
 bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
                                        const TargetPose& X_WT, Sightline* lines,
                                        StateRow& row, Visit&& visit) const {
-  if (placed.beacons || placed.device->span() != Span::point) return false;
+  if (placed.carried() || placed.device->span() != Span::point) return false;
   row.h.setZero(columns_);
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
-    const Eigen::Vector3d p = seen_at(placed.X_WS, X_WT.p, arm);
+    const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
     Sightline& line = lines[m];
     if (line.visibility == 0 || p.isZero(0)) continue;
     if (out_of_view(*placed.device, p)) {
@@ -147,7 +148,7 @@ bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
     if (row.share == 0) continue;
     for (int i = 0; i < rows.rows; ++i) {
       const Eigen::Vector3d h = rows.H.row(i).transpose();
-      pull_row<1>(system_.motion.layout, placed.X_WS.R, h.data(), arm.data(),
+      pull_row<1>(system_.motion.layout, placed.X_WS().R, h.data(), arm.data(),
                   row.h.data());
       row.variance = placed.noise * rows.variance(i);
       visit(std::as_const(row));
@@ -179,14 +180,14 @@ void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
 PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X_WT,
                                  Sightline* lines, const StateMatrix& G) const {
   PoseSlope total = PoseSlope::Zero();
-  const Eigen::Matrix3d R_WS = placed.X_WS.R;
+  const Eigen::Matrix3d R_WS = placed.X_WS().R;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Sightline& line = lines[m];
     if (!(line.visibility > 0)) continue;
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
-    const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS.p;
-    const Eigen::Vector3d p = seen_at(placed.X_WS, X_WT.p, arm);
+    const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS().p;
+    const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
     if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
     const double v = view(rows.margin);
     if (v == 0) continue;

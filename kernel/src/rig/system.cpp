@@ -48,7 +48,8 @@ class BeaconSharing {
                                                 const DeviceEntry& entry) {
     if (previous_ && index < previous_->devices.size()) {
       const PlacedDevice& old = previous_->devices[index];
-      if (old.beacons && old.sees == entry.beacons) return old.beacons;
+      const TargetMount* carried = old.carried();
+      if (carried && carried->sees == entry.beacons) return carried->beacons;
     }
     auto& made = made_[entry.beacons];
     if (!made) made = beacons_of(scene_, entry);
@@ -104,13 +105,11 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
       placed.device = make_device(*plugin.info, entry.params);
     }
     if (entry.mount == Mount::target) {
-      placed.X_TS = pose_of(entry.placement);
-      placed.beacons = beacons(system.devices.size(), entry);
-      placed.sees = entry.beacons;
-      placed.select = entry.select;
-      placed.count = entry.count;
+      placed.mount =
+          TargetMount{pose_of(entry.placement), beacons(system.devices.size(), entry),
+                      entry.beacons, entry.select, entry.count};
     } else {
-      placed.X_WS = device_pose(scene, entry);
+      placed.mount = WorldMount{device_pose(scene, entry)};
     }
     placed.period = 1 / entry.rate;
     placed.phase = entry.phase;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "delos/api.h"
@@ -17,23 +18,40 @@
 
 namespace delos {
 
+/// How a device stands that looks at the target.
+struct WorldMount {
+  Pose X_WS;  ///< device frame to world
+  friend bool operator==(const WorldMount&, const WorldMount&) = default;
+};
+
+/// How the target carries a device that looks at beacons in the world.
+struct TargetMount {
+  Pose X_TS;                                   ///< device frame to target
+  std::shared_ptr<const BeaconIndex> beacons;  ///< never null
+  std::vector<std::string> sees;               ///< sets of beacons; empty: all
+  SightingRule select = SightingRule::all;
+  int count = 1;  ///< sightings an update, see `select`
+  friend bool operator==(const TargetMount&, const TargetMount&) = default;
+};
+
 /// A device in its place.
 struct PlacedDevice {
   std::string name;
   std::string type;
   ParamValues params;                    ///< what `device` was made from
   std::shared_ptr<const Device> device;  ///< never null
-  Pose X_WS;                             ///< device frame to world
-  /// What it looks at where the target carries it, by X_TS; null: it stands in the
-  /// world, by X_WS, and looks at the target.
-  std::shared_ptr<const BeaconIndex> beacons;
-  Pose X_TS;                      ///< device frame to target
-  std::vector<std::string> sees;  ///< sets of beacons; empty: all
-  SightingRule select = SightingRule::all;
-  int count = 1;      ///< sightings an update, see `select`
+  std::variant<WorldMount, TargetMount> mount;
   double noise = 1;   ///< its noise's covariance is so many times what it says, > 0
   double period = 0;  ///< seconds between updates, > 0
   double phase = 0;   ///< seconds to the first update, ≥ 0
+
+  /// How the target carries it; null: it stands in the world.
+  [[nodiscard]] const TargetMount* carried() const {
+    return std::get_if<TargetMount>(&mount);
+  }
+  /// Device frame to world. @pre it stands there
+  [[nodiscard]] const Pose& X_WS() const { return std::get<WorldMount>(mount).X_WS; }
+  [[nodiscard]] Pose& X_WS() { return std::get<WorldMount>(mount).X_WS; }
 };
 
 /// All that the steady-state equation needs of a scene.
