@@ -6,31 +6,24 @@
 #include <stdexcept>
 
 #include "delos/model/lanes.h"
+#include "layers/beacon_owners.h"
 #include "observe/measure.h"
-#include "observe/point_rows.h"
 #include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
 
 /// For each device that looks at beacons, the candidate of each beacon of its index.
-std::vector<std::vector<int>> beacon_owners(const System& system,
-                                            const CandidateScene& all) {
+std::vector<std::vector<int>> checked_owners(const System& system,
+                                             const CandidateScene& all) {
   std::vector<std::vector<int>> owners(system.devices.size());
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& placed = system.devices[i];
     const TargetMount* mount = placed.carried();
     if (!mount) continue;
-    std::vector<int> listed;
-    for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
-      const auto& sees = mount->sees;
-      if (!sees.empty() &&
-          std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) == sees.end())
-        continue;
-      listed.insert(listed.end(), all.of_beacon[s].begin(), all.of_beacon[s].end());
-    }
+    owners[i] = beacon_owners(system, placed, all);
     const bool chosen =
-        std::any_of(listed.begin(), listed.end(), [](int c) { return c >= 0; });
+        std::any_of(owners[i].begin(), owners[i].end(), [](int c) { return c >= 0; });
     if (chosen && all.of_device[i] >= 0)
       throw std::invalid_argument(placed.name +
                                   " is a candidate, and so are beacons that it sees: "
@@ -40,8 +33,6 @@ std::vector<std::vector<int>> beacon_owners(const System& system,
           placed.name +
           " shares its updates among the beacons in view, so that another beacon may "
           "make it worse, and no bound is known; use 'select: all'");
-    for (std::size_t b = 0; b < listed.size(); ++b)
-      owners[i].push_back(listed[mount->beacons->listed(b)]);
   }
   return owners;
 }
@@ -137,7 +128,7 @@ CandidateInformation candidate_information(const System& system,
                                            const CandidateScene& all,
                                            std::span<const TargetPose> poses,
                                            int threads) {
-  const auto owners = beacon_owners(system, all);
+  const auto owners = checked_owners(system, all);
   constexpr std::size_t kChunk = 16;
   const std::size_t chunks = (poses.size() + kChunk - 1) / kChunk;
   std::vector<CandidateInformation> parts(chunks);

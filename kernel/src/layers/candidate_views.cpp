@@ -6,6 +6,7 @@
 
 #include "delos/layers/candidate_information.h"
 #include "delos/model/lanes.h"
+#include "layers/beacon_owners.h"
 #include "observe/measure.h"
 #include "observe/point_rows.h"
 #include "parallel/first_failure.h"
@@ -64,20 +65,13 @@ void add_beacons(const System& system, const CandidateScene& all, std::size_t de
                  std::vector<std::set<std::int32_t>>& of_candidate,
                  std::vector<std::int32_t>& always) {
   const PlacedDevice& placed = system.devices[device];
-  const TargetMount& mount = *placed.carried();
-  std::vector<int> owners;
-  for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
-    const auto& sees = mount.sees;
-    if (sees.empty() ||
-        std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) != sees.end())
-      owners.insert(owners.end(), all.of_beacon[s].begin(), all.of_beacon[s].end());
-  }
+  const std::vector<int> owners = beacon_owners(system, placed, all);
   BeaconSightings sightings;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     see_beacons(system, placed, poses[p], sightings);
     bool anyway = false;
     for (const BeaconSighting& sighting : sightings.all) {
-      int owner = owners[mount.beacons->listed(sighting.beacon)];
+      int owner = owners[sighting.beacon];
       if (owner < 0) owner = all.of_device[device];
       if (owner < 0)
         anyway = true;

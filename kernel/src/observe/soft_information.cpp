@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rig/parts.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -17,15 +18,6 @@ constexpr double kEndPart = 0.05;
 
 /// A visibility below this counts as none, and spares looking along the line.
 constexpr double kUnseen = 1e-10;
-
-std::vector<TriangleMesh> bodies(const System& system, Mount mount) {
-  std::vector<TriangleMesh> all;
-  for (const OccluderEntry& entry : system.occluders) {
-    if (entry.mount == mount)
-      all.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
-  }
-  return all;
-}
 
 using Lever = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, kMaxState>;
 
@@ -64,8 +56,8 @@ Eigen::Vector3d information_slope(const SmoothRows& rows, const Eigen::Matrix3d&
 
 SoftOccluders::SoftOccluders(const System& system)
     : entries(system.occluders),
-      in_world(bodies(system, Mount::world)),
-      on_target(bodies(system, Mount::target)) {}
+      in_world(placed_bodies(system.occluders, Mount::world)),
+      on_target(placed_bodies(system.occluders, Mount::target)) {}
 
 SoftInformation::SoftInformation(const System& system, const SoftOccluders& occluders,
                                  double width)

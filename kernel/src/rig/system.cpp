@@ -4,6 +4,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "rig/parts.h"
+
 namespace delos {
 namespace {
 
@@ -25,12 +27,8 @@ std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
 std::shared_ptr<const BeaconIndex> beacons_of(const Scene& scene,
                                               const DeviceEntry& entry) {
   std::vector<Beacon> all;
-  for (const BeaconSet& set : scene.beacons) {
-    const auto& sees = entry.beacons;
-    if (!sees.empty() && std::find(sees.begin(), sees.end(), set.name) == sees.end()) {
-      continue;
-    }
-    const std::vector<Beacon> lit = lit_beacons(set);
+  for (const std::size_t set : seen_sets(scene.beacons, entry.beacons)) {
+    const std::vector<Beacon> lit = lit_beacons(scene.beacons[set]);
     all.insert(all.end(), lit.begin(), lit.end());
   }
   return std::make_shared<const BeaconIndex>(std::move(all));
@@ -62,13 +60,8 @@ class BeaconSharing {
   std::map<std::vector<std::string>, std::shared_ptr<const BeaconIndex>> made_;
 };
 
-/// The bodies of one mount, placed.
 Occluders placed_occluders(const Scene& scene, Mount mount) {
-  std::vector<TriangleMesh> bodies;
-  for (const OccluderEntry& entry : scene.occluders) {
-    if (entry.mount != mount) continue;
-    bodies.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
-  }
+  const std::vector<TriangleMesh> bodies = placed_bodies(scene.occluders, mount);
   return bodies.empty() ? Occluders() : Occluders(bodies);
 }
 
