@@ -49,7 +49,8 @@ void run(benchmark::State& state, Scene scene, SightingRule rule) {
       benchmark::Counter(static_cast<double>(samples.points.size()) *
                              static_cast<double>(state.iterations()),
                          benchmark::Counter::kIsRate);
-  state.counters["beacons"] = static_cast<double>(system.devices[0].beacons->size());
+  state.counters["beacons"] =
+      static_cast<double>(system.devices[0].carried()->beacons->size());
 }
 
 /// The area of the published figures, from near the ceiling's middle to its corner.

@@ -96,7 +96,7 @@ void BM_FieldOf64CamerasAfterMovingOne(benchmark::State& state) {
   if (!layers.kept()) throw std::runtime_error("the layers don't fit");
   double step = 0.01;
   for (auto _ : state) {
-    system.devices[17].X_WS.p.z() += step;
+    system.devices[17].X_WS().p.z() += step;
     step = -step;
     layers.update(system);
     benchmark::DoNotOptimize(

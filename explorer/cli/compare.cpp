@@ -182,7 +182,7 @@ Row row_of(Field field, const LoadedScene& loaded, double limit,
   }
   const auto& devices = loaded.system.devices;
   if (std::any_of(devices.begin(), devices.end(),
-                  [](const PlacedDevice& d) { return d.beacons != nullptr; })) {
+                  [](const PlacedDevice& d) { return d.carried() != nullptr; })) {
     row.use = beacon_use(loaded.system,
                          field_poses(row.field.samples, loaded.scene.orientations),
                          options.threads);

@@ -126,10 +126,10 @@ std::vector<report::DeviceRow> device_rows(const LoadedScene& loaded,
   std::vector<report::DeviceRow> rows;
   for (std::size_t i = 0; i < loaded.system.devices.size(); ++i) {
     const PlacedDevice& device = loaded.system.devices[i];
-    report::DeviceRow row{
-        device.name, device.type, device.X_WS.p, false, parts[i], 0, 0};
-    row.on_target = device.beacons != nullptr;
-    if (row.on_target) row.at = device.X_TS.p;
+    const TargetMount* carried = device.carried();
+    const Eigen::Vector3d& at = carried ? carried->X_TS.p : device.X_WS().p;
+    report::DeviceRow row{device.name, device.type, at, carried != nullptr,
+                          parts[i],    0,           0};
     LoadedScene rest = loaded;
     rest.scene.name += " without " + device.name;
     rest.system.devices.erase(rest.system.devices.begin() +

@@ -2,74 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <random>
 
 namespace delos {
 namespace {
-
-/// A device whose noise is larger or smaller.
-class NoisyDevice final : public Device {
- public:
-  /// @param factor of its covariance
-  NoisyDevice(std::shared_ptr<const Device> device, double factor)
-      : device_(std::move(device)), factor_(factor) {}
-
-  [[nodiscard]] const std::shared_ptr<const Device>& device() const { return device_; }
-  [[nodiscard]] double factor() const { return factor_; }
-
-  [[nodiscard]] Span span() const override { return device_->span(); }
-  [[nodiscard]] int state_size() const override { return device_->state_size(); }
-  [[nodiscard]] bool observe(const Target& target, Observation& out) const override {
-    if (!device_->observe(target, out)) return false;
-    out.R *= factor_;
-    return true;
-  }
-  [[nodiscard]] bool observe_lanes(const PointLanes& points,
-                                   RowLanes& out) const override {
-    return device_->observe_lanes(points, out) && scaled(out);
-  }
-  [[nodiscard]] bool observe_smoothly(const Eigen::Vector3d& p,
-                                      SmoothRows& out) const override {
-    if (!device_->observe_smoothly(p, out)) return false;
-    out.variance.head(out.rows) *= factor_;
-    out.variance_slope.topRows(out.rows) *= factor_;
-    return true;
-  }
-  [[nodiscard]] View view_of_ball(const Eigen::Vector3d& center,
-                                  double radius) const override {
-    return device_->view_of_ball(center, radius);
-  }
-  [[nodiscard]] int views() const override { return device_->views(); }
-  [[nodiscard]] ViewCone view_cone(int view) const override {
-    return device_->view_cone(view);
-  }
-  [[nodiscard]] std::string view_name(int view) const override {
-    return device_->view_name(view);
-  }
-  [[nodiscard]] bool observe_view(int view, const Target& target,
-                                  Observation& out) const override {
-    if (!device_->observe_view(view, target, out)) return false;
-    out.R *= factor_;
-    return true;
-  }
-  [[nodiscard]] bool observe_view_lanes(int view, const BeaconLanes& beacons,
-                                        RowLanes& out) const override {
-    return device_->observe_view_lanes(view, beacons, out) && scaled(out);
-  }
-  [[nodiscard]] bool needs_sight() const override { return device_->needs_sight(); }
-
- private:
-  bool scaled(RowLanes& out) const {
-    for (int row = 0; row < out.rows; ++row)
-      for (double& variance : out.variance[row]) variance *= factor_;
-    return true;
-  }
-
-  std::shared_ptr<const Device> device_;
-  double factor_;
-};
 
 /// FNV-1a, so that a device keeps its numbers whatever stands beside it.
 std::uint64_t hash(const std::string& text) {
@@ -102,22 +39,14 @@ Deviation deviation(const Robustness& robust, int draw, const std::string& devic
           robust.noise * z(6)};
 }
 
-PlacedDevice deviated(const PlacedDevice& device, const Deviation& by,
-                      const PlacedDevice* previous) {
-  PlacedDevice out = device;
-  Pose& X = device.beacons ? out.X_TS : out.X_WS;
+PlacedDevice deviated(PlacedDevice device, const Deviation& by) {
+  auto* carried = std::get_if<TargetMount>(&device.mount);
+  Pose& X = carried ? carried->X_TS : device.X_WS();
   X.p += by.place;
   if (const double angle = by.turn.norm(); angle > 0)
     X.R = X.R * Eigen::AngleAxisd(angle, by.turn / angle).toRotationMatrix();
-  if (by.noise == 0) return out;
-  const double factor = std::exp(2 * by.noise);
-  const auto* noisy =
-      previous ? dynamic_cast<const NoisyDevice*>(previous->device.get()) : nullptr;
-  if (noisy && noisy->device() == device.device && noisy->factor() == factor)
-    out.device = previous->device;
-  else
-    out.device = std::make_shared<NoisyDevice>(device.device, factor);
-  return out;
+  device.noise *= std::exp(2 * by.noise);
+  return device;
 }
 
 }  // namespace delos

@@ -24,9 +24,6 @@ struct Deviation {
 
 /// The device as it is then: p + place, R exp([turn]×), and noise whose covariance is
 /// exp(2 noise) as large. A device on the target is moved in the target's frame.
-/// @param previous what this made of the device before, or null: where only the place
-///                 differs, its device is taken over
-[[nodiscard]] PlacedDevice deviated(const PlacedDevice& device, const Deviation& by,
-                                    const PlacedDevice* previous = nullptr);
+[[nodiscard]] PlacedDevice deviated(PlacedDevice device, const Deviation& by);
 
 }  // namespace delos

@@ -78,14 +78,13 @@ void Problem::State::build(std::span<const double> x) {
   design.set(x);
   System& last = nominal.system;
   last = build_system(scene(), plugins, last.devices.empty() ? nullptr : &last);
+  if (guess > 0) last.prior = guess_information(last, guess);
 }
 
 /// The field of the first term's metric over a box at the design of which the octree is
 /// asked for, with about as many nodes as samples are.
 Field Problem::State::octree(AdaptiveSampling box) {
   build(options.octree_of);
-  System system = nominal.system;
-  if (scene().objective.guess > 0) add_guess(system, scene().objective.guess);
   const auto& terms = scene().objective.terms;
   const std::string name = terms.empty() ? "" : terms.front().metric;
   const auto metric = std::get<Metric>(
@@ -99,7 +98,8 @@ Field Problem::State::octree(AdaptiveSampling box) {
   AdaptiveOptions adaptive;
   adaptive.field.threads = options.threads;
   adaptive.held_back = 0;
-  return evaluate_adaptive(system, box, scene().orientations, metric, adaptive).field();
+  return evaluate_adaptive(nominal.system, box, scene().orientations, metric, adaptive)
+      .field();
 }
 
 /// Try each variable once.
@@ -116,10 +116,9 @@ void Problem::State::find_touched() {
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       const PlacedDevice &a = system.devices[i], &b = moved.devices[i];
       if (a.period != b.period || a.phase != b.phase) what.all = true;
-      if (!(a.X_WS == b.X_WS)) what.poses.push_back(i);
-      const bool same_view = a.X_TS == b.X_TS && a.beacons == b.beacons &&
-                             a.select == b.select && a.count == b.count;
-      if (!(a.params == b.params) || !same_view) what.layers.push_back(i);
+      const bool moved = !(a.mount == b.mount);
+      if (moved && !a.carried()) what.poses.push_back(i);
+      if (!(a.params == b.params) || (moved && a.carried())) what.layers.push_back(i);
     }
     touched.push_back(std::move(what));
   }
@@ -169,16 +168,17 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
     throw std::invalid_argument(
         "the scene has no variables; say what may change, for example\n"
         "variables:\n  - {path: \"devices.*.at.z\", lower: 0.5, upper: 3}");
+  s.guess = scene.objective.guess;
   s.samples = search_samples(
       scene, options.samples,
       options.octree_of.empty() ? Octrees() : [&s](const AdaptiveSampling& box) {
         return s.octree(box);
       });
   s.build(s.design.start());
-  s.guess =
-      scene.objective.guess > 0
-          ? scene.objective.guess
-          : typical_guess(s.nominal.system, s.samples.samples, scene.orientations);
+  if (s.guess == 0) {
+    s.guess = typical_guess(s.nominal.system, s.samples.samples, scene.orientations);
+    s.nominal.system.prior = guess_information(s.nominal.system, s.guess);
+  }
   s.read_objective();
   s.read_limits();
   s.read_robust();
@@ -186,7 +186,7 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
   // Beacons come into view and go at once, whatever the device's place.
   for (const Touched& what : s.touched)
     for (const std::size_t i : what.layers)
-      if (s.nominal.system.devices[i].beacons)
+      if (s.nominal.system.devices[i].carried())
         s.slope_problem = "what " + s.nominal.system.devices[i].name +
                           " sees of beacons has no derivative here";
   for (const Metric& metric : s.metrics) {
@@ -197,7 +197,6 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
       s.slope_problem = delos::slope_problem(s.nominal.system, metric);
   }
   s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, s.metrics,
-                                       guess_information(s.nominal.system, s.guess),
                                        options.threads);
 }
 
@@ -255,9 +254,10 @@ Field Problem::field(std::span<const double> x) {
   s.build(x);
   const auto metric =
       std::get<Metric>(parse_metric(s.scene().metric, s.scene().motion.layout));
-  Field field =
-      evaluate_field(s.nominal.system, all_samples(s.scene()), s.scene().orientations,
-                     metric, {.threads = s.options.threads});
+  System system = s.nominal.system;
+  system.prior = 0;
+  Field field = evaluate_field(system, all_samples(s.scene()), s.scene().orientations,
+                               metric, {.threads = s.options.threads});
   field.scene = s.scene().name;
   return field;
 }

@@ -44,8 +44,8 @@ struct Touched {
 /// A system that is judged: the scene's own, or what a draw makes of it.
 struct World {
   System system;
-  std::vector<Deviation> deviations;                // one a device; none: the scene's
-  std::optional<InformationLayers> guessed, plain;  // with and without the guess
+  std::vector<Deviation> deviations;  // one a device; none: the scene's
+  std::optional<InformationLayers> layers;
 };
 
 /// By how much a limit is missed, softened, in its units; less than 0: kept.
@@ -69,7 +69,7 @@ struct Problem::State {
   std::vector<MetricLimit> metric_limits;
   std::vector<Limit> limits;
   std::vector<Touched> touched;
-  double guess = 0;
+  double guess = 0;  // 0: not known yet
   std::string slope_problem;
   std::vector<std::size_t> failing;  // devices of which one may fail
   World nominal;                     // as last built

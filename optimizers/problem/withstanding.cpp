@@ -3,7 +3,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "problem/guess.h"
 #include "problem/problem_state.h"
 #include "problem/worst_case.h"
 
@@ -42,19 +41,18 @@ void Problem::State::read_robust() {
 /// What each draw makes of the system as it was built.
 void Problem::State::draw() {
   for (World& world : drawn) {
-    System now = nominal.system;
-    const auto& last = world.system.devices;
-    for (std::size_t i = 0; i < now.devices.size(); ++i)
-      now.devices[i] = deviated(now.devices[i], world.deviations[i],
-                                last.empty() ? nullptr : &last[i]);
-    world.system = std::move(now);
+    world.system = nominal.system;
+    for (std::size_t i = 0; i < world.deviations.size(); ++i) {
+      PlacedDevice& device = world.system.devices[i];
+      device = deviated(device, world.deviations[i]);
+    }
   }
 }
 
 const InformationLayers& Problem::State::layers(World& world, bool with_guess) {
-  std::optional<InformationLayers>& all = with_guess ? world.guessed : world.plain;
+  std::optional<InformationLayers>& all = world.layers;
   System now = world.system;
-  if (with_guess) add_guess(now, guess);
+  if (!with_guess) now.prior = 0;
   if (all) {
     all->update(now);
   } else {
@@ -66,14 +64,13 @@ const InformationLayers& Problem::State::layers(World& world, bool with_guess) {
   return *all;
 }
 
-/// The metrics of a system. Coverage counts no guess.
+/// The metrics of a system.
 /// @param missing a device that fails
 FieldValues Problem::State::hard_values(World& world, bool with_guess,
                                         std::optional<std::size_t> missing) {
   FieldValues all;
+  const InformationLayers& whole = layers(world, with_guess);
   for (const Metric& metric : metrics) {
-    const bool with = with_guess && metric.kind != MetricKind::coverage;
-    const InformationLayers& whole = layers(world, with);
     const auto field = [&](const InformationLayers& known) {
       return evaluate_field(known, samples.samples, scene().orientations, metric,
                             field_options());

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "delos/optimize/choices.h"
-#include "problem/guess.h"
 #include "selection/branch_and_bound.h"
 #include "selection/question.h"
 

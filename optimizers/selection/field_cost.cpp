@@ -116,7 +116,7 @@ struct FieldCost::Sample {
 
 FieldCost::FieldCost(const System& system, const CandidateScene& all,
                      const Samples& samples, const Orientations& orientations,
-                     std::vector<VarianceTerm> terms, double floor, int threads)
+                     std::vector<VarianceTerm> terms, int threads)
     : layout_(system.motion.layout),
       combine_(orientations.combine),
       terms_(std::move(terms)),
@@ -129,10 +129,6 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
       turns_(orientations.rpy.size()),
       packed_(static_cast<std::size_t>(packed_index(known_.columns, 0))),
       threads_(threads > 0 ? threads : omp_get_max_threads()) {
-  for (std::size_t p = 0; p < known_.poses(); ++p)
-    for (int i = 0; i < layout_.coordinates(); ++i)
-      known_.always[p * packed_ + static_cast<std::size_t>(packed_index(i, i))] +=
-          floor;
   std::vector<char> whole(size_, 0);
   for (const ExactRow& row : known_.exact)
     if (row.candidate >= 0) whole[static_cast<std::size_t>(row.candidate)] = 1;

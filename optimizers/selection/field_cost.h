@@ -34,10 +34,9 @@ struct VarianceTerm {
 
 class FieldCost final : public ChoiceCost {
  public:
-  /// @param floor information that every coordinate of the pose has besides
   FieldCost(const System& system, const CandidateScene& all, const Samples& samples,
             const Orientations& orientations, std::vector<VarianceTerm> terms,
-            double floor, int threads);
+            int threads);
 
   [[nodiscard]] std::size_t size() const override { return size_; }
   [[nodiscard]] double value(std::span<const double> w) override;

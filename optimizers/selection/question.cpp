@@ -94,6 +94,7 @@ Question question_of(const Scene& scene, PluginRegistry& plugins,
   q.guess = scene.objective.guess > 0
                 ? scene.objective.guess
                 : typical_guess(q.system, q.samples.samples, scene.orientations);
+  q.system.prior = guess_information(q.system, q.guess);
   q.rules = rules_of(q.all);
   q.decisions = decisions_of(q.all);
   const ChoicePolytope polytope(q.rules, q.decisions);
@@ -138,9 +139,8 @@ ChoiceRules rules_for(const CandidateScene& all, int count) {
 }
 
 std::unique_ptr<FieldCost> cost_of(const Question& q, int threads) {
-  auto cost = std::make_unique<FieldCost>(
-      q.system, q.all, q.samples.samples, q.all.scene.orientations, q.terms,
-      guess_information(q.system, q.guess), threads);
+  auto cost = std::make_unique<FieldCost>(q.system, q.all, q.samples.samples,
+                                          q.all.scene.orientations, q.terms, threads);
   const std::size_t blind = cost->blind_sample(std::vector<double>(cost->size(), 1.0));
   if (blind < cost->samples())
     throw std::invalid_argument(

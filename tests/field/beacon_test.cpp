@@ -191,10 +191,11 @@ System carried_system(PoseState pose, std::vector<Beacon> beacons,
   system.motion = testing::chain_motion(pose, 2, Eigen::MatrixXd::Identity(d, d) * 0.1);
   system.markers = {Vector3d::Zero()};
   PlacedDevice placed = testing::place("eye", std::make_shared<TestViews>(), {}, 100);
-  placed.X_TS = {rotation_from_rpy({0.3, -0.2, 0.5}), {0.05, -0.1, 0.2}};
-  placed.beacons = std::make_shared<BeaconIndex>(std::move(beacons));
-  placed.select = rule;
-  placed.count = count;
+  placed.mount = TargetMount{{rotation_from_rpy({0.3, -0.2, 0.5}), {0.05, -0.1, 0.2}},
+                             std::make_shared<BeaconIndex>(std::move(beacons)),
+                             {},
+                             rule,
+                             count};
   system.devices.push_back(placed);
   return system;
 }
@@ -210,6 +211,24 @@ std::vector<TargetPose> random_poses(int count) {
 
 int view_of(const SeenBeacon& seen) { return seen.view == "view 1"; }
 
+// The device's entries for one beacon and for many.
+TEST(Beacons, FourTimesTheNoiseIsAQuarterOfTheInformation) {
+  System system = carried_system(PoseState::pose, cloud(2000, 3));
+  const std::vector<TargetPose> poses = random_poses(20);
+  for (const bool lanes : {false, true}) {
+    if (lanes) system.devices[0].device = std::make_shared<TestLaneViews>();
+    System noisy = system;
+    noisy.devices[0].noise = 4;
+    const InformationLayers of_one(system, poses), of_other(noisy, poses);
+    LayerBlock a, b;
+    const std::vector<double>&one = of_one.block(0, a).total,
+          &other = of_other.block(0, b).total;
+    EXPECT_GT(*std::max_element(one.begin(), one.end()), 0);
+    for (std::size_t e = 0; e < one.size(); ++e)
+      EXPECT_NEAR(4 * other[e], one[e], 1e-14 * std::abs(one[e]));
+  }
+}
+
 TEST(Beacons, AreSeenAsALoopOverAllBeaconsAndViewsSays) {
   const std::vector<Beacon> beacons = cloud(2000, 3);
   System system = carried_system(PoseState::pose, beacons);
@@ -218,7 +237,7 @@ TEST(Beacons, AreSeenAsALoopOverAllBeaconsAndViewsSays) {
   const TestViews device;
   std::size_t total = 0, hidden = 0;
   for (const TargetPose& pose : random_poses(500)) {
-    const Pose X_WS = pose * system.devices[0].X_TS;
+    const Pose X_WS = pose * system.devices[0].carried()->X_TS;
     using Key = std::tuple<int, double, double, double>;
     std::set<Key> expected, found;
     for (int view = 0; view < 2; ++view) {
@@ -264,7 +283,7 @@ TEST(Beacons, RowsAreDerivativesByThePose) {
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const auto observe = [&](const TargetPose& at, Observation& out) {
         Target target;
-        target.p_ST = (at * placed.X_TS).inverse() * seen[i].at;
+        target.p_ST = (at * placed.carried()->X_TS).inverse() * seen[i].at;
         return placed.device->observe_view(view_of(seen[i]), target, out);
       };
       Eigen::Matrix<double, 2, 6> J;
@@ -382,7 +401,7 @@ TEST(Beacons, InABlockInformAsALoopOverAllBeaconsAndViewsSays) {
     const InformationLayers layers(system, poses, {.threads = 1});
     LayerBlock scratch;
     for (std::size_t p = 0; p < poses.size(); ++p) {
-      const Pose X_WS = poses[p] * placed.X_TS;
+      const Pose X_WS = poses[p] * placed.carried()->X_TS;
       Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
       for (int view = 0; view < 2; ++view) {
         const Vector3d apex = X_WS * TestViews::apex(view);
@@ -414,7 +433,7 @@ TEST(Beacons, AChangedRuleRecomputesOneLayerAndThreadsChangeNothing) {
   system.devices.push_back(system.devices.front());
   const std::vector<TargetPose> poses = random_poses(200);
   InformationLayers layers(system, poses, {.threads = 1});
-  system.devices[1].select = SightingRule::nearest;
+  std::get<TargetMount>(system.devices[1].mount).select = SightingRule::nearest;
   EXPECT_EQ(layers.update(system), 1u);
   const InformationLayers fresh(system, poses, {.threads = 4});
   LayerBlock a, b;
@@ -549,7 +568,7 @@ TEST(BlindDevices, SayWhatIsInTheWay) {
   const std::vector<TargetPose> pose = {{Eigen::Matrix3d::Identity(), {0, 0, 0}}};
   const auto why = [&](std::vector<Beacon> beacons) {
     System system = carried_system(PoseState::pose, std::move(beacons));
-    system.devices[0].X_TS = {};
+    std::get<TargetMount>(system.devices[0].mount).X_TS = {};
     const auto reasons = blind_devices(system, pose);
     return reasons.empty() ? std::string() : reasons.front();
   };

@@ -89,7 +89,7 @@ TEST(Field, FromKeptLayersAfterAMoveIsTheFreshField) {
   System system = acoustic_system();
   const Samples samples = testing::volume({0, 0, 0}, {0.4, 0.4, 0.8}, 0.05);
   InformationLayers layers(system, field_poses(samples, {}));
-  system.devices[2].X_WS.p.z() += 0.1;
+  system.devices[2].X_WS().p.z() += 0.1;
   layers.update(system);
   const Field updated =
       evaluate_field(layers, samples, {}, metric_of(system, "eigmax"));
@@ -130,7 +130,7 @@ TEST(Field, BlindSamplesAreInfiniteAndCounted) {
 TEST(Field, ASigmaIsFiniteWhereItsOwnStateIsObserved) {
   System system = acoustic_system();
   system.devices.resize(1);
-  system.devices[0].X_WS.p = {0, 0, 1};
+  system.devices[0].X_WS().p = {0, 0, 1};
   const Samples below = testing::points({{0, 0, 0}});
   EXPECT_TRUE(std::isinf(field_of(system, below, "sigma_x").value[0]));
   EXPECT_TRUE(std::isfinite(field_of(system, below, "sigma_z").value[0]));

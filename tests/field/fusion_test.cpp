@@ -140,7 +140,7 @@ TEST(Fusion, RotatingTheWholeSceneRotatesP) {
     System turned = system;
     auto& q = std::get<ChainMotion>(turned.motion.dynamics).q;
     q = (turn.R * q * turn.R.transpose()).eval();
-    for (PlacedDevice& d : turned.devices) d.X_WS = turn * d.X_WS;
+    for (PlacedDevice& d : turned.devices) d.X_WS() = turn * d.X_WS();
     const FusedState moved = state_at(turned, turn * pose);
     const StateMatrix expected = congruent(still.prior, turn.R);
     EXPECT_LT((moved.prior - expected).norm(), 1e-11 * expected.norm());
@@ -238,6 +238,32 @@ TEST(Fusion, ASolverThatCannotDoTheSystemSaysWhatWould) {
 
 // A gyroscope measures ω, not the pose: the general path takes over, and improves the
 // velocity that a marker's position alone gives.
+// A prior is a device that measures the pose itself whenever anybody reports.
+TEST(Fusion, APriorIsWhatADeviceOfThePoseTells) {
+  constexpr double kRate = 50, kVariance = 0.04;
+  for (const Fusion fusion : {Fusion::stacked, Fusion::continuous, Fusion::periodic}) {
+    for (const int devices : {1, 4}) {
+      System system = testing::acoustic_system(kRate);
+      system.fusion = fusion;
+      system.devices.resize(static_cast<std::size_t>(devices));
+      System with_device = system;
+      system.prior = (fusion == Fusion::continuous ? kRate : 1) / kVariance;
+      with_device.devices.push_back(
+          testing::place("guess",
+                         std::make_shared<testing::TestLinear>(
+                             Span::pose, Eigen::MatrixXd::Identity(3, 6),
+                             Eigen::MatrixXd(kVariance * Eigen::Matrix3d::Identity())),
+                         Pose{}, kRate));
+      const TargetPose pose{Eigen::Matrix3d::Identity(), {0.1, 0.2, 0.3}};
+      const FusedState a = testing::state_at(system, pose),
+                       b = testing::state_at(with_device, pose);
+      ASSERT_EQ(a.status, RiccatiStatus::converged);
+      EXPECT_LT((a.prior - b.prior).norm(), 1e-11 * b.prior.norm());
+      EXPECT_LT((a.posterior - b.posterior).norm(), 1e-11 * b.posterior.norm());
+    }
+  }
+}
+
 TEST(Fusion, DerivativeMeasurementsTakeTheGeneralPath) {
   System system = testing::acoustic_system();
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(3, 18);
@@ -254,7 +280,7 @@ TEST(Fusion, DerivativeMeasurementsTakeTheGeneralPath) {
   EXPECT_GE(smallest_eigenvalue(without.prior - with.prior), -1e-12);
   EXPECT_LT(with.prior(3, 3), 0.2 * without.prior(3, 3));
   // Isotropic noise looks the same from any mounting.
-  system.devices.back().X_WS.R.setIdentity();
+  system.devices.back().X_WS().R.setIdentity();
   const FusedState upright = state_at(system, {});
   EXPECT_LT((upright.prior - with.prior).norm(), 1e-12);
 }

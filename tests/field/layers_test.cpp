@@ -87,7 +87,7 @@ TEST(Layers, AMovedDeviceRecomputesOneLayerToTheSameBytes) {
   System system = many_devices();
   InformationLayers layers(system, grid_poses());
   ASSERT_TRUE(layers.kept());
-  system.devices[9].X_WS.p.x() += 0.125;
+  system.devices[9].X_WS().p.x() += 0.125;
   EXPECT_EQ(layers.update(system), 1u);
   expect_same(layers, InformationLayers(system, grid_poses()));
 }
@@ -177,6 +177,26 @@ TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
                 scale * (range(step, none) - range(-step, none)) / (2 * h), 1e-7);
     EXPECT_NEAR(w.rows(0, 3 + axis),
                 scale * (range(none, step) - range(none, -step)) / (2 * h), 1e-7);
+  }
+}
+
+// The prior stands in the total alone, as S = prior·1 + Σ S_i.
+TEST(Layers, APriorRecomputesNoDevice) {
+  System system = many_devices();
+  InformationLayers layers(system, grid_poses());
+  LayerBlock scratch;
+  const LayerBlock without = layers.block(1, scratch);
+  system.prior = 0.25;
+  EXPECT_EQ(layers.update(system), 0u);
+  expect_same(layers, InformationLayers(system, grid_poses()));
+  const LayerBlock& with = layers.block(1, scratch);
+  EXPECT_EQ(with.layers, without.layers);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const auto e = static_cast<std::size_t>(packed_index(i, j) * kLanes + 5);
+      EXPECT_NEAR(with.total[e] - without.total[e], i == j ? 0.25 : 0,
+                  1e-12 * std::abs(without.total[e]));
+    }
   }
 }
 

@@ -38,6 +38,21 @@ TEST(Point, SharesAreTheRiseWithoutTheDevice) {
   EXPECT_LT(whole.residual, 1e-12);
 }
 
+// The careful path reads rows, the other the layers' total; both know the prior.
+TEST(Point, ThePriorIsInTheRowsToo) {
+  for (const Fusion fusion : {Fusion::stacked, Fusion::continuous}) {
+    System system = testing::acoustic_system();
+    system.fusion = fusion;
+    system.devices.resize(1);
+    system.prior = 3;
+    const PointReport report = report_of(system, {0.05, 0.1, 0.5});
+    ASSERT_TRUE(report.careful);
+    const FusedState expected = testing::state_at(system, report.pose);
+    EXPECT_LT((report.state.prior - expected.prior).norm(),
+              1e-9 * expected.prior.norm());
+  }
+}
+
 TEST(Point, ADeviceThatAllDependsOnIsWorthInfinitelyMuch) {
   System system = testing::acoustic_system();
   system.devices.resize(3);

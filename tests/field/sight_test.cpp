@@ -13,7 +13,7 @@ namespace {
 System one_device(bool in_lanes = true) {
   System system = testing::acoustic_system();
   system.devices.resize(1);
-  system.devices[0].X_WS = {};
+  system.devices[0].X_WS() = {};
   if (in_lanes) {
     system.devices[0].device = std::make_shared<testing::TestFullRange>(0.01);
   }

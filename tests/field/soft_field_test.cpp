@@ -30,10 +30,11 @@ const Samples kSamples = testing::volume({0.01, 0, 0}, {0.4, 0.3, 0.8}, 0.1);
 
 // What is far out of view is left out unasked, and nobody can tell.
 TEST(SoftField, IsTheSameWhereDevicesSayWhereBallsAre) {
-  const System plain = rig<SilentRange>(1.0), culled = rig<testing::TestFullRange>(1.0);
+  System plain = rig<SilentRange>(1.0), culled = rig<testing::TestFullRange>(1.0);
+  plain.prior = culled.prior = 1e-3;
   const Metric metric = testing::metric_of(plain, "sigma_position");
   for (const double width : {0.1, 0.01}) {
-    SoftField one(kSamples, {}, {metric}, 1e-3), other(kSamples, {}, {metric}, 1e-3);
+    SoftField one(kSamples, {}, {metric}), other(kSamples, {}, {metric});
     const auto &expected = one.evaluate(plain, width)[0],
                &values = other.evaluate(culled, width)[0];
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -42,9 +43,10 @@ TEST(SoftField, IsTheSameWhereDevicesSayWhereBallsAre) {
 }
 
 TEST(SoftField, IsTheFieldWhereEdgesAreHard) {
-  const System system = rig<testing::TestFullRange>(1.1);
+  System system = rig<testing::TestFullRange>(1.1);
+  system.devices[1].noise = 2.5;
   const Metric metric = testing::metric_of(system, "sigma_position");
-  SoftField soft(kSamples, {}, {metric}, 0);
+  SoftField soft(kSamples, {}, {metric});
   const auto& values = soft.evaluate(system, 0);
   const Field field = evaluate_field(system, kSamples, {}, metric);
   int blind = 0;
@@ -62,16 +64,18 @@ TEST(SoftField, IsTheFieldWhereEdgesAreHard) {
 template <class Range>
 void expect_slopes(double reach, double width) {
   System system = rig<Range>(reach);
+  system.prior = 1;
+  system.devices[0].noise = 1.7;
   const Metric metric = testing::metric_of(system, "sigma_z");
   const std::vector<std::vector<double>> ones(
       1, std::vector<double>(kSamples.points.size(), 1.0));
-  SoftField soft(kSamples, {}, {metric}, 1.0);
+  SoftField soft(kSamples, {}, {metric});
   soft.evaluate(system, width);
   soft.adjoin(ones);
   const std::vector<PoseSlope> slopes = soft.pose_slopes();
   ASSERT_EQ(slopes.size(), system.devices.size());
   const auto sum = [&](const System& at) {
-    SoftField other(kSamples, {}, {metric}, 1.0);
+    SoftField other(kSamples, {}, {metric});
     double total = 0;
     for (const double value : other.evaluate(at, width)[0]) total += value;
     return total;
@@ -80,8 +84,8 @@ void expect_slopes(double reach, double width) {
     for (int k = 0; k < 3; ++k) {
       constexpr double kStep = 1e-5;
       System up = system, down = system;
-      up.devices[i].X_WS.p(k) += kStep;
-      down.devices[i].X_WS.p(k) -= kStep;
+      up.devices[i].X_WS().p(k) += kStep;
+      down.devices[i].X_WS().p(k) -= kStep;
       EXPECT_NEAR(slopes[i](k), (sum(up) - sum(down)) / (2 * kStep),
                   1e-6 * slopes[i].norm());
     }
@@ -96,13 +100,14 @@ TEST(SoftField, SlopesByDifferences) { expect_slopes<testing::TestRange>(1e9, 0.
 
 // A failure is the field of the other devices, and what it costs pulls at those alone.
 TEST(SoftField, FailuresAreFieldsOfTheOtherDevices) {
-  const System system = rig<testing::TestFullRange>(1.1);
+  System system = rig<testing::TestFullRange>(1.1);
+  system.prior = 1;
   const std::vector<Metric> metrics = {testing::metric_of(system, "sigma_position"),
                                        testing::metric_of(system, "sigma_z")};
   const std::vector<std::size_t> failing = {2, 0};
-  SoftField soft(kSamples, {}, metrics, 1.0);
+  SoftField soft(kSamples, {}, metrics);
   const FieldValues all = soft.evaluate(system, 0.2, failing);
-  SoftField other(kSamples, {}, metrics, 1.0);
+  SoftField other(kSamples, {}, metrics);
   const FieldValues sum = other.evaluate(system, 0.2);
   ASSERT_EQ(soft.failure_values().size(), 2u);
   const FieldValues ones(2, std::vector<double>(kSamples.points.size(), 1.0)),
@@ -138,8 +143,9 @@ TEST(SoftField, FailuresAreFieldsOfTheOtherDevices) {
 // nothing where the line is hidden, and the edge hardens with the width.
 TEST(SoftField, ShadowsHaveSoftEdges) {
   System system = rig<testing::TestFullRange>();
+  system.prior = 1e-4;
   system.devices.resize(1);
-  system.devices[0].X_WS.p = {0, 0, 2};
+  system.devices[0].X_WS().p = {0, 0, 2};
   const auto variance_at = [&](double edge, double width) {
     OccluderEntry wall;
     wall.body = BoxShape{{-1, -1, 0.9}, {edge, 1, 1}};
@@ -147,7 +153,7 @@ TEST(SoftField, ShadowsHaveSoftEdges) {
     system.in_world = Occluders({body_mesh(wall.body)});
     const Samples below = testing::points({{0, 0, 0}});
     const Metric metric = testing::metric_of(system, "sigma_z");
-    SoftField soft(below, {}, {metric}, 1e-4);
+    SoftField soft(below, {}, {metric});
     return soft.evaluate(system, width)[0][0];
   };
   const double free = variance_at(-0.5, 0.3), hidden = variance_at(0.1, 0.3);

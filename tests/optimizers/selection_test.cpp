@@ -48,7 +48,7 @@ PlacedDevice placed(const std::string& name, std::shared_ptr<const Device> devic
   PlacedDevice out;
   out.name = out.type = name;
   out.device = std::move(device);
-  out.X_WS.p = p;
+  out.X_WS().p = p;
   out.period = 0.02;
   return out;
 }
@@ -291,7 +291,7 @@ double least_of_all(const Instance& instance) {
 }
 
 FieldCost cost_of(const Instance& i) {
-  return {i.system, i.all, i.samples, i.orientations, i.terms, 0, 1};
+  return {i.system, i.all, i.samples, i.orientations, i.terms, 1};
 }
 
 class Choices : public testing::TestWithParam<Kind> {};

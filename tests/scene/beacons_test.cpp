@@ -115,20 +115,21 @@ TEST(CarriedDevice, IsPlacedOnTheTarget) {
       kCeiling, ", at: [0, 0, 0.1], beacons: ceiling, select: nearest, count: 3"));
   ASSERT_TRUE(loaded.scene) << loaded.findings.at(0);
   const System system = build_system(*loaded.scene, plugins());
-  const PlacedDevice& eye = system.devices.at(0);
-  ASSERT_TRUE(eye.beacons);
+  ASSERT_TRUE(system.devices.at(0).carried());
+  const TargetMount& eye = *system.devices[0].carried();
   EXPECT_EQ(eye.beacons->size(), 12u);
   EXPECT_EQ(eye.X_TS.p, Eigen::Vector3d(0, 0, 0.1));
   EXPECT_EQ(eye.select, SightingRule::nearest);
   EXPECT_EQ(eye.count, 3);
-  EXPECT_FALSE(system.devices.at(1).beacons);
+  EXPECT_FALSE(system.devices.at(1).carried());
   // The same beacons are the same index: a moved device makes none anew.
   Scene moved = *loaded.scene;
   moved.devices[0].placement.at.x() = 0.2;
   const System again = build_system(moved, plugins(), &system);
-  EXPECT_EQ(again.devices[0].beacons, eye.beacons);
+  EXPECT_EQ(again.devices[0].carried()->beacons, eye.beacons);
   std::get<BeaconGrid>(moved.beacons[0].layout).pattern = BeaconPattern::half;
-  EXPECT_NE(build_system(moved, plugins(), &system).devices[0].beacons, eye.beacons);
+  EXPECT_NE(build_system(moved, plugins(), &system).devices[0].carried()->beacons,
+            eye.beacons);
 }
 
 TEST(CarriedDevice, IsWrittenAsItWasRead) {

@@ -145,7 +145,7 @@ std::vector<TargetPose> random_poses(int count) {
 bool observe(const PlacedDevice& placed, const TargetPose& pose, int view,
              const Eigen::Vector3d& beacon, Observation& out) {
   Target target;
-  target.p_ST = (pose * placed.X_TS).inverse() * beacon;
+  target.p_ST = (pose * placed.carried()->X_TS).inverse() * beacon;
   target.n_ST = pose.R.transpose() * Eigen::Vector3d(0, 0, -1);
   return placed.device->observe_view(view, target, out);
 }
@@ -159,8 +159,8 @@ TEST(HiBall, SeesWhatALoopOverAllLedsAndViewsSees) {
   for (const TargetPose& pose : random_poses(500)) {
     std::multiset<std::pair<double, double>> expected, found;
     for (int view = 0; view < 26; ++view) {
-      for (std::size_t b = 0; b < hiball.beacons->size(); ++b) {
-        const Eigen::Vector3d& p = (*hiball.beacons)[b].p;
+      for (std::size_t b = 0; b < hiball.carried()->beacons->size(); ++b) {
+        const Eigen::Vector3d& p = (*hiball.carried()->beacons)[b].p;
         if (observe(hiball, pose, view, p, out)) expected.emplace(p.x(), p.y());
       }
     }

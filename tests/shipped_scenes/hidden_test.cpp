@@ -85,7 +85,7 @@ TEST(FurnishedLaboratory, StandsWhereNoCameraIs) {
   const System system = build_system(scene, plugins());
   ASSERT_EQ(system.devices.size(), 8u);
   for (const PlacedDevice& d : system.devices) {
-    EXPECT_FALSE(system.in_world.contains(d.X_WS.p)) << d.X_WS.p.transpose();
+    EXPECT_FALSE(system.in_world.contains(d.X_WS().p)) << d.X_WS().p.transpose();
   }
 }
 

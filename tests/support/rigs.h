@@ -62,7 +62,7 @@ inline PlacedDevice place(std::string name, std::shared_ptr<const Device> device
   placed.name = std::move(name);
   placed.type = "test";
   placed.device = std::move(device);
-  placed.X_WS = X_WS;
+  placed.mount = WorldMount{X_WS};
   placed.period = 1 / rate;
   return placed;
 }

@@ -2,6 +2,8 @@
 
 #include <omp.h>
 
+#include "observe/lever.h"
+
 namespace delos {
 
 CellViews::CellViews(const System& system, const Sightings& sightings,
@@ -20,8 +22,7 @@ CellView CellViews::decide(const Octree& tree, Octree::Index cell, std::size_t t
   if (v.view == View::crossing) {
     v.view = View::unknown;
     if (s.by_rows) {
-      const Eigen::Vector3d center =
-          placed.X_WS.R.transpose() * (box.center() + arm - placed.X_WS.p);
+      const Eigen::Vector3d center = seen_at(placed.X_WS(), box.center(), arm);
       v.view = placed.device->view_of_ball(center, box.diagonal().norm() / 2);
     }
   }

@@ -16,16 +16,19 @@ double coverage(const LayerBlock& block) {
   return seen;
 }
 
-/// Whitened rows with the weight that fusion gives each device: √(1/period) where the
-/// information is a rate.
+/// Whitened rows with the weight that fusion gives each device, and the prior's.
 Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened) {
   Eigen::MatrixXd rows = whitened.rows;
-  if (system.fusion != Fusion::continuous) return rows;
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
     const auto device =
         static_cast<std::size_t>(whitened.device[static_cast<std::size_t>(r)]);
-    rows.row(r) /= std::sqrt(system.devices[device].period);
+    rows.row(r) *= std::sqrt(information_weight(system, system.devices[device]));
   }
+  if (system.prior == 0) return rows;
+  const Eigen::Index measured = rows.rows(), d = system.motion.layout.coordinates();
+  rows.conservativeResize(measured + d, Eigen::NoChange);
+  rows.bottomRows(d).setZero();
+  rows.bottomLeftCorner(d, d).diagonal().setConstant(std::sqrt(system.prior));
   return rows;
 }
 

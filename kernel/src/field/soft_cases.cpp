@@ -37,36 +37,38 @@ void SoftField::State::prepare(const System& now, double edges,
   lines.assign(poses * system.devices.size() * system.markers.size(), {});
 }
 
-/// The information of all devices, and the floor, in scratch.S.
+/// The information of all devices, and the prior, in scratch.S.
 void SoftField::State::observe(const SoftInformation& soft, std::size_t point,
                                std::size_t turn, SoftScratch& scratch) {
   scratch.S.setZero(columns, columns);
-  scratch.S.diagonal().head(system.motion.layout.coordinates()).setConstant(floor);
+  scratch.S.diagonal()
+      .head(system.motion.layout.coordinates())
+      .setConstant(system.prior);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& device = system.devices[i];
-    soft.add(device, pose(point, turn), weight_of(system, device),
+    soft.add(device, pose(point, turn), information_weight(system, device),
              lines_of(point, turn, i), scratch.measure, scratch.S);
   }
 }
 
-/// The same, device by device and without the floor, in scratch.layers.
+/// The same, device by device and without the prior, in scratch.layers.
 void SoftField::State::observe_layers(const SoftInformation& soft, std::size_t point,
                                       std::size_t turn, SoftScratch& scratch) {
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& device = system.devices[i];
     scratch.S.setZero(columns, columns);
-    soft.add(device, pose(point, turn), weight_of(system, device),
+    soft.add(device, pose(point, turn), information_weight(system, device),
              lines_of(point, turn, i), scratch.measure, scratch.S);
     pack(scratch.S, &scratch.layers[i * packed()]);
   }
 }
 
-/// The floor, and what the devices of a case know.
+/// The prior, and what the devices of a case know.
 void SoftField::State::sum_layers(const std::vector<double>& layers,
                                   std::size_t of_case, double* out) const {
   std::fill_n(out, packed(), 0.0);
   for (int k = 0; k < system.motion.layout.coordinates(); ++k)
-    out[packed_index(k, k)] = floor;
+    out[packed_index(k, k)] = system.prior;
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     if (of_case > 0 && own_case[i] == of_case) continue;
     const double* layer = &layers[i * packed()];

@@ -7,13 +7,12 @@
 namespace delos {
 
 SoftField::SoftField(Samples samples, Orientations orientations,
-                     std::vector<Metric> metrics, double floor, int threads)
+                     std::vector<Metric> metrics, int threads)
     : state_(std::make_unique<State>()) {
   State& s = *state_;
   s.samples = std::move(samples);
   s.orientations = std::move(orientations);
   s.metrics = std::move(metrics);
-  s.floor = floor;
   s.threads = threads;
   for (const Eigen::Vector3d& rpy : s.orientations.rpy)
     s.turns.push_back(rotation_from_rpy(rpy));
@@ -83,22 +82,22 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
   for (std::size_t i = 0; i < devices; ++i) {
     const PlacedDevice& device = s.system.devices[i];
     if (exact[i]) {
-      slopes[i] *= weight_of(s.system, device);
+      slopes[i] *= information_weight(s.system, device);
       continue;
     }
     // The place of these means nothing, or isn't in the world.
-    if (device.device->span() == Span::state || device.beacons) continue;
+    if (device.device->span() == Span::state || device.carried()) continue;
     constexpr double kStep = 1e-5;  // metres, radians
     for (int k = 0; k < 6; ++k) {
       PlacedDevice to = device, from = device;
       const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(k % 3);
       if (k < 3) {
-        to.X_WS.p += step;
-        from.X_WS.p -= step;
+        to.X_WS().p += step;
+        from.X_WS().p -= step;
       } else {
         const Eigen::AngleAxisd turn(kStep, Eigen::Vector3d::Unit(k % 3));
-        to.X_WS.R = turn * device.X_WS.R;
-        from.X_WS.R = turn.inverse() * device.X_WS.R;
+        to.X_WS().R = turn * device.X_WS().R;
+        from.X_WS().R = turn.inverse() * device.X_WS().R;
       }
       slopes[i](k) = (contraction(i, to) - contraction(i, from)) / (2 * kStep);
     }
@@ -109,9 +108,9 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
 double SoftField::contraction(std::size_t index, const PlacedDevice& device) const {
   State& s = *state_;
   const SoftInformation soft(s.system, *s.occluders, s.width);
-  const double weight = weight_of(s.system, device);
+  const double weight = information_weight(s.system, device);
   // Where it stands as it did, it sees along the same lines.
-  const bool moved = !(device.X_WS == s.system.devices[index].X_WS);
+  const bool moved = !(device.mount == s.system.devices[index].mount);
   std::vector<double> of_chunks(s.chunks());
   s.each_chunk([&](std::size_t c) {
     MeasureScratch scratch;

@@ -19,11 +19,6 @@ namespace delos {
 /// Points that one thread takes at a time; sums run in their order.
 inline constexpr std::size_t kChunk = 32;
 
-/// A device's information of one update, or its rate, is so much of what it measures.
-inline double weight_of(const System& system, const PlacedDevice& placed) {
-  return system.fusion == Fusion::continuous ? 1 / placed.period : 1;
-}
-
 /// What one thread works with, made once.
 struct SoftScratch {
   SoftScratch(std::size_t layer_numbers, std::size_t turn_values)
@@ -40,7 +35,6 @@ struct SoftField::State {
   Samples samples;
   Orientations orientations;
   std::vector<Metric> metrics;
-  double floor = 0;
   int threads = 0;
   std::vector<Eigen::Matrix3d> turns;
 

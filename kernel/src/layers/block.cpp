@@ -12,7 +12,7 @@ namespace {
 std::vector<double> fusion_weights(const System& system) {
   std::vector<double> weights;
   for (const PlacedDevice& d : system.devices) {
-    weights.push_back(system.fusion == Fusion::continuous ? 1 / d.period : 1.0);
+    weights.push_back(information_weight(system, d));
   }
   return weights;
 }
@@ -24,22 +24,21 @@ void observe_poses(const System& system, const PlacedDevice& placed, int columns
   MeasureScratch scratch;
   for (std::size_t lane = 0; lane < poses.size(); ++lane) {
     const std::uint64_t bit = std::uint64_t{1} << lane;
-    const auto noisy = [&](const auto& row, double variance) {
-      const double weight = 1 / variance;
+    const auto add = [&](const StateRow& row) {
+      if (row.perfect()) {
+        perfect |= bit;
+        return;
+      }
+      const double weight = row.weight();
       for (int i = 0; i < columns; ++i) {
-        const double scaled = weight * row(i);
+        const double scaled = weight * row.h(i);
         for (int j = 0; j <= i; ++j) {
           layer[static_cast<std::size_t>(packed_index(i, j)) * kLanes + lane] +=
-              scaled * row(j);
+              scaled * row.h(j);
         }
       }
     };
-    const auto exact = [&](const auto&) { perfect |= bit; };
-    const bool sees =
-        measure(system, placed, poses[lane], columns, scratch,
-                [&](const StateRows& rows, const decltype(Observation::R)& R) {
-                  whiten(rows, R, noisy, exact);
-                });
+    const bool sees = measure(system, placed, poses[lane], columns, scratch, add);
     if (sees) seen |= bit;
   }
 }
@@ -83,6 +82,8 @@ LayerShape::LayerShape(const System& system)
     : devices(system.devices.size()),
       groups((devices + kGroup - 1) / kGroup),
       columns(information_size(system)),
+      coordinates(system.motion.layout.coordinates()),
+      prior(system.prior),
       stride(static_cast<std::size_t>(packed_index(columns, 0)) * kLanes),
       weights(fusion_weights(system)) {}
 
@@ -102,7 +103,7 @@ void observe_device(const System& system, const LayerShape& shape, std::size_t d
   std::fill_n(layer, shape.stride, 0.0);
   std::uint64_t &seen = block.seen[device], &perfect = block.perfect[device];
   seen = perfect = 0;
-  if (placed.beacons) {
+  if (placed.carried()) {
     observe_beacons(system, placed, system.motion.layout.coordinates(), poses, layer,
                     seen, perfect);
     return;
@@ -125,6 +126,8 @@ void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block) {
 
 void sum_total(const LayerShape& shape, LayerBlock& block) {
   std::fill_n(block.total.data(), shape.stride, 0.0);
+  for (int k = 0; k < shape.coordinates; ++k)
+    std::fill_n(&block.total[packed_index(k, k) * kLanes], kLanes, shape.prior);
   for (std::size_t g = 0; g < shape.groups; ++g) {
     const double* sum = block.groups.data() + g * shape.stride;
     for (std::size_t e = 0; e < shape.stride; ++e) block.total[e] += sum[e];

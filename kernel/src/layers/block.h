@@ -18,6 +18,8 @@ struct LayerShape {
   std::size_t devices;
   std::size_t groups;
   int columns;         ///< information_size() of the system
+  int coordinates;     ///< of the pose, d
+  double prior;        ///< of each of them, as System has it
   std::size_t stride;  ///< numbers in one layer: packed × kLanes
   std::vector<double>
       weights;  ///< one a device: 1, or 1/period for a rate of information
@@ -34,6 +36,7 @@ void observe_device(const System& system, const LayerShape& shape, std::size_t d
                     std::span<const TargetPose> poses, LayerBlock& block);
 
 void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block);
+/// The sum of the groups, and the prior.
 void sum_total(const LayerShape& shape, LayerBlock& block);
 /// All groups, and the total.
 void sum_layers(const LayerShape& shape, LayerBlock& block);

@@ -6,41 +6,33 @@
 #include <stdexcept>
 
 #include "delos/model/lanes.h"
+#include "layers/beacon_owners.h"
 #include "observe/measure.h"
-#include "observe/point_rows.h"
 #include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
 
 /// For each device that looks at beacons, the candidate of each beacon of its index.
-std::vector<std::vector<int>> beacon_owners(const System& system,
-                                            const CandidateScene& all) {
+std::vector<std::vector<int>> checked_owners(const System& system,
+                                             const CandidateScene& all) {
   std::vector<std::vector<int>> owners(system.devices.size());
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& placed = system.devices[i];
-    if (!placed.beacons) continue;
-    std::vector<int> listed;
-    for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
-      const auto& sees = placed.sees;
-      if (!sees.empty() &&
-          std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) == sees.end())
-        continue;
-      listed.insert(listed.end(), all.of_beacon[s].begin(), all.of_beacon[s].end());
-    }
+    const TargetMount* mount = placed.carried();
+    if (!mount) continue;
+    owners[i] = beacon_owners(system, placed, all);
     const bool chosen =
-        std::any_of(listed.begin(), listed.end(), [](int c) { return c >= 0; });
+        std::any_of(owners[i].begin(), owners[i].end(), [](int c) { return c >= 0; });
     if (chosen && all.of_device[i] >= 0)
       throw std::invalid_argument(placed.name +
                                   " is a candidate, and so are beacons that it sees: "
                                   "choose one kind, then the other");
-    if (chosen && placed.select != SightingRule::all)
+    if (chosen && mount->select != SightingRule::all)
       throw std::invalid_argument(
           placed.name +
           " shares its updates among the beacons in view, so that another beacon may "
           "make it worse, and no bound is known; use 'select: all'");
-    for (std::size_t b = 0; b < listed.size(); ++b)
-      owners[i].push_back(listed[placed.beacons->listed(b)]);
   }
   return owners;
 }
@@ -48,9 +40,10 @@ std::vector<std::vector<int>> beacon_owners(const System& system,
 /// All that the candidates know at one pose.
 class PoseEntries {
  public:
-  PoseEntries(std::size_t candidates, int columns)
-      : columns_(columns),
-        packed_(static_cast<std::size_t>(packed_index(columns, 0))),
+  PoseEntries(const System& system, std::size_t candidates)
+      : system_(system),
+        columns_(information_size(system)),
+        packed_(static_cast<std::size_t>(packed_index(columns_, 0))),
         slot_(candidates, -1) {}
 
   void clear() {
@@ -58,23 +51,21 @@ class PoseEntries {
     seen.clear();
     information.clear();
     always.assign(packed_, 0.0);
+    for (int k = 0; k < system_.motion.layout.coordinates(); ++k)
+      always[static_cast<std::size_t>(packed_index(k, k))] = system_.prior;
     exact.clear();
   }
 
-  /// Take over rows of a candidate, whitened.
-  void add(int candidate, const StateRows& rows, const decltype(Observation::R)& R,
-           double weight) {
-    whiten(
-        rows, R,
-        [&](const auto& row, double variance) {
-          double* S = of(candidate);
-          for (int i = 0; i < columns_; ++i)
-            for (int j = 0; j <= i; ++j)
-              S[packed_index(i, j)] += weight / variance * row(i) * row(j);
-        },
-        [&](const auto& row) {
-          exact.push_back({candidate, row.head(columns_)});
-        });
+  /// Take over a row of a candidate.
+  void add(int candidate, const StateRow& row, double weight) {
+    if (row.perfect()) {
+      exact.push_back({candidate, row.h});
+      return;
+    }
+    double* S = of(candidate);
+    const double all = weight * row.weight();
+    for (int i = 0; i < columns_; ++i)
+      for (int j = 0; j <= i; ++j) S[packed_index(i, j)] += all * row.h(i) * row.h(j);
   }
 
   /// In the order of the candidates; nothing can be added any more.
@@ -111,6 +102,7 @@ class PoseEntries {
     return &information[static_cast<std::size_t>(slot) * packed_];
   }
 
+  const System& system_;
   int columns_;
   std::size_t packed_;
   std::vector<std::int32_t> slot_;
@@ -122,19 +114,11 @@ void observe(const System& system, const CandidateScene& all,
   const int columns = information_size(system);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& placed = system.devices[i];
-    const double weight = system.fusion == Fusion::continuous ? 1 / placed.period : 1.0;
-    std::size_t sighting = 0;
-    const auto& list = scratch.sightings.all;
-    measure(system, placed, pose, columns, scratch,
-            [&](const StateRows& rows, const decltype(Observation::R)& R) {
-              int candidate = all.of_device[i];
-              if (placed.beacons) {
-                while (list[sighting].share == 0) ++sighting;
-                const int owner = owners[i][list[sighting++].beacon];
-                if (owner >= 0) candidate = owner;
-              }
-              out.add(candidate, rows, R, weight);
-            });
+    const double weight = information_weight(system, placed);
+    measure(system, placed, pose, columns, scratch, [&](const StateRow& row) {
+      const int owner = placed.carried() ? owners[i][row.beacon] : -1;
+      out.add(owner >= 0 ? owner : all.of_device[i], row, weight);
+    });
   }
 }
 
@@ -144,7 +128,7 @@ CandidateInformation candidate_information(const System& system,
                                            const CandidateScene& all,
                                            std::span<const TargetPose> poses,
                                            int threads) {
-  const auto owners = beacon_owners(system, all);
+  const auto owners = checked_owners(system, all);
   constexpr std::size_t kChunk = 16;
   const std::size_t chunks = (poses.size() + kChunk - 1) / kChunk;
   std::vector<CandidateInformation> parts(chunks);
@@ -153,7 +137,7 @@ CandidateInformation candidate_information(const System& system,
 #pragma omp parallel num_threads(count)
   {
     MeasureScratch scratch;
-    PoseEntries entries(all.candidates.size(), information_size(system));
+    PoseEntries entries(system, all.candidates.size());
 #pragma omp for schedule(dynamic)
     for (std::size_t c = 0; c < chunks; ++c) {
       failure.guard([&] {

@@ -6,6 +6,7 @@
 
 #include "delos/layers/candidate_information.h"
 #include "delos/model/lanes.h"
+#include "layers/beacon_owners.h"
 #include "observe/measure.h"
 #include "observe/point_rows.h"
 #include "parallel/first_failure.h"
@@ -35,8 +36,7 @@ class Views {
     const int columns = information_size(system_);
     std::uint64_t seen = 0;
     for (std::size_t p = 0; p < poses.size(); ++p)
-      if (measure(system_, placed, poses[p], columns, scratch_,
-                  [](const auto&, const auto&) {}))
+      if (measure(system_, placed, poses[p], columns, scratch_, [](const StateRow&) {}))
         seen |= std::uint64_t{1} << p;
     return seen;
   }
@@ -65,19 +65,13 @@ void add_beacons(const System& system, const CandidateScene& all, std::size_t de
                  std::vector<std::set<std::int32_t>>& of_candidate,
                  std::vector<std::int32_t>& always) {
   const PlacedDevice& placed = system.devices[device];
-  std::vector<int> owners;
-  for (std::size_t s = 0; s < all.scene.beacons.size(); ++s) {
-    const auto& sees = placed.sees;
-    if (sees.empty() ||
-        std::find(sees.begin(), sees.end(), all.scene.beacons[s].name) != sees.end())
-      owners.insert(owners.end(), all.of_beacon[s].begin(), all.of_beacon[s].end());
-  }
+  const std::vector<int> owners = beacon_owners(system, placed, all);
   BeaconSightings sightings;
   for (std::size_t p = 0; p < poses.size(); ++p) {
     see_beacons(system, placed, poses[p], sightings);
     bool anyway = false;
     for (const BeaconSighting& sighting : sightings.all) {
-      int owner = owners[placed.beacons->listed(sighting.beacon)];
+      int owner = owners[sighting.beacon];
       if (owner < 0) owner = all.of_device[device];
       if (owner < 0)
         anyway = true;
@@ -105,7 +99,7 @@ CandidateViews candidate_views(const System& system, const CandidateScene& all,
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       failure.guard([&] {
-        if (!system.devices[i].beacons)
+        if (!system.devices[i].carried())
           of_device[i] = poses_of(own, system.devices[i], poses);
       });
     }
@@ -114,7 +108,7 @@ CandidateViews candidate_views(const System& system, const CandidateScene& all,
 
   std::vector<std::size_t> device_of(all.candidates.size(), system.devices.size());
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    if (system.devices[i].beacons) {
+    if (system.devices[i].carried()) {
       add_beacons(system, all, i, poses, by_beacons, views.always);
     } else if (all.of_device[i] >= 0) {
       device_of[static_cast<std::size_t>(all.of_device[i])] = i;

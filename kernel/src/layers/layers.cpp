@@ -13,8 +13,7 @@ namespace {
 
 bool same_layer(const System& a, const System& b, std::size_t i) {
   const PlacedDevice &p = a.devices[i], &q = b.devices[i];
-  return p.device == q.device && p.X_WS == q.X_WS && p.X_TS == q.X_TS &&
-         p.beacons == q.beacons && p.select == q.select && p.count == q.count;
+  return p.device == q.device && p.mount == q.mount && p.noise == q.noise;
 }
 
 /// True where a layer of one is a layer of the other.
@@ -75,6 +74,7 @@ std::size_t InformationLayers::update(const System& system) {
     if (!same_layer(system_, system, i)) changed.push_back(i);
   }
   const std::vector<double> weights = shape_->weights;
+  const double prior = shape_->prior;
   system_ = system;
   *shape_ = LayerShape(system);
   if (!same) {
@@ -82,7 +82,7 @@ std::size_t InformationLayers::update(const System& system) {
     return kept_ ? shape_->devices : 0;
   }
   const bool reweighted = weights != shape_->weights;
-  if (!kept_ || (changed.empty() && !reweighted)) return 0;
+  if (!kept_ || (changed.empty() && !reweighted && prior == shape_->prior)) return 0;
 
   std::vector<std::size_t> groups;
   for (std::size_t g = 0; g < shape_->groups; ++g) {
@@ -153,14 +153,14 @@ WhitenedRows whitened_rows(const System& system, const TargetPose& pose) {
   WhitenedRows out;
   MeasureScratch scratch;
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    const auto keep = [&](const auto& row, double variance) {
-      noisy.emplace_back(row / std::sqrt(variance));
-      out.device.push_back(static_cast<int>(i));
-    };
-    const auto keep_exact = [&](const auto& row) { exact.emplace_back(row); };
     measure(system, system.devices[i], pose, columns, scratch,
-            [&](const StateRows& rows, const decltype(Observation::R)& R) {
-              whiten(rows, R, keep, keep_exact);
+            [&](const StateRow& row) {
+              if (row.perfect()) {
+                exact.emplace_back(row.h);
+                return;
+              }
+              noisy.emplace_back(row.h * std::sqrt(row.weight()));
+              out.device.push_back(static_cast<int>(i));
             });
   }
   out.rows.resize(static_cast<Eigen::Index>(noisy.size()), columns);

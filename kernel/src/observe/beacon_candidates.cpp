@@ -15,10 +15,9 @@ struct Together {
 };
 
 /// The first poses that are turned alike and stay within a ball.
-Together together(const PlacedDevice& placed, std::span<const TargetPose> poses,
-                  double most) {
+Together together(const Pose& X_TS, std::span<const TargetPose> poses, double most) {
   const auto at = [&](std::size_t i) -> Eigen::Vector3d {
-    return poses[i].R * placed.X_TS.p + poses[i].p;
+    return poses[i].R * X_TS.p + poses[i].p;
   };
   Eigen::AlignedBox3d box(at(0));
   std::size_t count = 1;
@@ -35,9 +34,10 @@ Together together(const PlacedDevice& placed, std::span<const TargetPose> poses,
 
 std::size_t BeaconCandidates::find(const PlacedDevice& placed,
                                    std::span<const TargetPose> poses) {
-  index_ = placed.beacons.get();
-  const Together near = together(placed, poses, index_->patch());
-  const Eigen::Matrix3d R_WS = poses[0].R * placed.X_TS.R;
+  const TargetMount& mount = *placed.carried();
+  index_ = mount.beacons.get();
+  const Together near = together(mount.X_TS, poses, index_->patch());
+  const Eigen::Matrix3d R_WS = poses[0].R * mount.X_TS.R;
   R_SW_ = R_WS.transpose();
   views_.clear();
   beacons_.clear();

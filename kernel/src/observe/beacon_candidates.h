@@ -27,7 +27,7 @@ class BeaconCandidates {
  public:
   /// Find them for the first of the poses and for as many after it as pay.
   /// @param poses at least one
-  /// @pre placed.beacons isn't null
+  /// @pre the target carries the device
   /// @returns how many poses
   std::size_t find(const PlacedDevice& placed, std::span<const TargetPose> poses);
 

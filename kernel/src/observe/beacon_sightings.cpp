@@ -2,50 +2,25 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 #include <span>
 
 #include "delos/model/lanes.h"
 #include "observe/beacon_choice.h"
+#include "observe/lever.h"
 #include "observe/whiten.h"
 #include "rig/sight.h"
 
 namespace delos {
 namespace {
 
-/// How a change of the pose moves what a device on the target sees.
-///
-/// A beacon at b is seen at p_S = R_SW (b − p_WS). Where the target moves by δp and
-/// turns by δθ about the world's axes, in its own frame the beacon moves by
-///
-///   δp_S = R_SW (−δp + (b − p_WT) × δθ)
-///
-/// so that a row H over p_S becomes [−g, g × (b − p_WT)] with g = H R_SW.
-struct PoseRow {
-  const StateLayout& layout;
-  const Eigen::Matrix3d& R_WS;
-  const Eigen::Vector3d& p_WT;
-  const Eigen::Vector3d& b;
-
-  template <class Row>
-  void fill(const Row& H, SightingRow& row) const {
-    const Eigen::Vector3d g =
-        R_WS.col(0) * H(0) + R_WS.col(1) * H(1) + R_WS.col(2) * H(2);
-    if (layout.pose != PoseState::orientation) {
-      for (int i = 0; i < 3; ++i) row.h[i] = -g(i);
-    }
-    if (layout.pose == PoseState::position) return;
-    const Eigen::Vector3d turn = g.cross(b - p_WT);
-    for (int i = 0; i < 3; ++i) row.h[layout.positions() + i] = turn(i);
-  }
-};
-
 /// What one view sees of the beacons in out.look.
 struct ViewSightings {
   const System& system;
   const PlacedDevice& placed;
+  const BeaconIndex& beacons;
   const TargetPose& X_WT;
   const Pose& X_WS;
+  const Eigen::Matrix3d& away;  ///< −R_WS: beacons move the other way
   bool may_hide;
   int view;
   BeaconSightings& out;
@@ -64,16 +39,19 @@ struct ViewSightings {
     if (out.look.reached[l] == 0) return false;
     if (!may_hide) return true;
     const Eigen::Vector3d arm = X_WS * out.candidates.cone(view).apex - X_WT.p;
-    return in_sight(system, (*placed.beacons)[out.look.beacon[l]].p, X_WT, arm);
+    return in_sight(system, beacons[out.look.beacon[l]].p, X_WT, arm);
   }
 
-  /// Append a sighting, whose rows fill_rows(pose_row) appends.
+  /// Append a sighting, whose rows fill_rows() appends.
   template <class FillRows>
   void append(int l, FillRows&& fill_rows) const {
     const std::uint32_t beacon = out.look.beacon[l];
     const auto first = static_cast<std::uint32_t>(out.rows.size());
-    fill_rows(
-        PoseRow{system.motion.layout, X_WS.R, X_WT.p, (*placed.beacons)[beacon].p});
+    const Eigen::Vector3d arm = beacons[beacon].p - X_WT.p;
+    fill_rows([&](const Eigen::Vector3d& h, double variance) {
+      pull_row<1>(system.motion.layout, away, h.data(), arm.data(),
+                  out.rows.emplace_back(SightingRow{{}, placed.noise * variance}).h);
+    });
     out.all.push_back({beacon, view, out.look.distance[l], out.look.weight[l], 0, first,
                        static_cast<std::uint32_t>(out.rows.size()) - first});
   }
@@ -82,13 +60,11 @@ struct ViewSightings {
     const RowLanes& rows = out.lane_rows;
     for (int l = 0; l < out.look.lanes.count; ++l) {
       if (rows.seen[l] == 0 || !in_light(l)) continue;
-      append(l, [&](const PoseRow& pose_row) {
+      append(l, [&](const auto& fill_row) {
         for (int r = 0; r < rows.rows; ++r) {
           const double variance = rows.variance[r][l];
-          const bool noisy = variance >= std::numeric_limits<double>::min();
-          pose_row.fill(
-              Eigen::Vector3d(rows.H[r][0][l], rows.H[r][1][l], rows.H[r][2][l]),
-              out.rows.emplace_back(SightingRow{{}, noisy ? variance : 0}));
+          fill_row({rows.H[r][0][l], rows.H[r][1][l], rows.H[r][2][l]},
+                   is_noise(variance) ? variance : 0);
         }
       });
     }
@@ -101,15 +77,11 @@ struct ViewSightings {
       out.target.n_ST = {lanes.n[0][l], lanes.n[1][l], lanes.n[2][l]};
       if (!placed.device->observe_view(view, out.target, out.observation)) continue;
       if (!in_light(l)) continue;
-      append(l, [&](const PoseRow& pose_row) {
-        whiten(
-            out.observation.H, out.observation.R,
-            [&](const auto& H, double variance) {
-              pose_row.fill(H, out.rows.emplace_back(SightingRow{{}, variance}));
-            },
-            [&](const auto& H) {
-              pose_row.fill(H, out.rows.emplace_back(SightingRow{{}, 0}));
-            });
+      append(l, [&](const auto& fill_row) {
+        whiten(out.observation.H, out.observation.R,
+               [&](const auto& h, double variance) {
+                 fill_row(Eigen::Vector3d(h.transpose()), variance);
+               });
       });
     }
   }
@@ -119,21 +91,17 @@ struct ViewSightings {
 template <int coordinates>
 bool add_rows(const BeaconSightings& sightings, double* S) {
   bool perfect = false;
-  for (const BeaconSighting& s : sightings.all) {
-    if (s.share == 0) continue;
-    for (std::uint32_t r = s.first_row; r < s.first_row + s.rows; ++r) {
-      const SightingRow& row = sightings.rows[r];
-      if (row.variance == 0) {
-        perfect = true;
-        continue;
-      }
-      const double weight = s.share / row.variance;
-      for (int i = 0; i < coordinates; ++i) {
-        const double scaled = weight * row.h[i];
-        for (int j = 0; j <= i; ++j) S[packed_index(i, j)] += scaled * row.h[j];
-      }
+  each_used_row(sightings, [&](const BeaconSighting& s, const SightingRow& row) {
+    if (row.variance == 0) {
+      perfect = true;
+      return;
     }
-  }
+    const double weight = s.share / row.variance;
+    for (int i = 0; i < coordinates; ++i) {
+      const double scaled = weight * row.h[i];
+      for (int j = 0; j <= i; ++j) S[packed_index(i, j)] += scaled * row.h[j];
+    }
+  });
   return perfect;
 }
 
@@ -156,11 +124,14 @@ void see_candidates(const System& system, const PlacedDevice& placed,
                     const TargetPose& X_WT, BeaconSightings& out) {
   out.all.clear();
   out.rows.clear();
-  const Pose X_WS = X_WT * placed.X_TS;
+  const TargetMount& mount = *placed.carried();
+  const Pose X_WS = X_WT * mount.X_TS;
   const Eigen::Vector3d origin_S = -(X_WS.R.transpose() * X_WS.p);
+  const Eigen::Matrix3d away = -X_WS.R;
   const bool may_hide = may_be_hidden(system, placed);
   for (int view = 0; view < placed.device->views(); ++view) {
-    const ViewSightings sightings{system, placed, X_WT, X_WS, may_hide, view, out};
+    const ViewSightings sightings{system, placed,   *mount.beacons, X_WT, X_WS,
+                                  away,   may_hide, view,           out};
     const auto all = out.candidates.in_cone(view, origin_S);
     for (std::size_t first = 0; first < all.size(); first += kLanes) {
       const std::size_t count = std::min<std::size_t>(kLanes, all.size() - first);
@@ -168,7 +139,7 @@ void see_candidates(const System& system, const PlacedDevice& placed,
       sightings.add();
     }
   }
-  choose(placed.select, placed.count, system.motion.layout.coordinates(), out);
+  choose(mount.select, mount.count, system.motion.layout.coordinates(), out);
 }
 
 bool add_information(const BeaconSightings& sightings, int coordinates, double* S) {

@@ -39,12 +39,22 @@ struct BeaconSightings {
   Observation observation;
 };
 
+/// Visit the rows of all sightings that an update uses: visit(sighting, row).
+template <class Visit>
+void each_used_row(const BeaconSightings& sightings, Visit&& visit) {
+  for (const BeaconSighting& s : sightings.all) {
+    if (s.share == 0) continue;
+    for (std::uint32_t r = s.first_row; r < s.first_row + s.rows; ++r)
+      visit(s, sightings.rows[r]);
+  }
+}
+
 /// A view's cone, in W. @param X_WS the device on the target, in W
 [[nodiscard]] ViewCone cone_in_world(const PlacedDevice& placed, int view,
                                      const Pose& X_WS);
 
 /// Find what the device sees of its beacons from the pose, and how often it uses each.
-/// @pre placed.beacons isn't null
+/// @pre the target carries it
 void see_beacons(const System& system, const PlacedDevice& placed,
                  const TargetPose& X_WT, BeaconSightings& out);
 /// The same at one of the poses that out.candidates was made for.

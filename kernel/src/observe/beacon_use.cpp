@@ -26,14 +26,15 @@ struct InCone {
 InCone in_cones(const PlacedDevice& placed, const TargetPose& pose,
                 BeaconSightings& memory) {
   InCone count;
-  const Pose X_WS = pose * placed.X_TS;
+  const TargetMount& mount = *placed.carried();
+  const Pose X_WS = pose * mount.X_TS;
   for (int view = 0; view < placed.device->views(); ++view) {
     const ViewCone cone = cone_in_world(placed, view, X_WS);
     memory.in_cone.clear();
-    placed.beacons->find(cone, memory.in_cone);
+    mount.beacons->find(cone, memory.in_cone);
     count.all += memory.in_cone.size();
     for (const std::uint32_t b : memory.in_cone) {
-      count.turned_away += !(*placed.beacons)[b].reaches(cone.apex);
+      count.turned_away += !(*mount.beacons)[b].reaches(cone.apex);
     }
   }
   return count;
@@ -43,7 +44,8 @@ InCone in_cones(const PlacedDevice& placed, const TargetPose& pose,
 std::string why_blind(const PlacedDevice& placed,
                       const std::vector<TargetPose>& poses) {
   const std::string sees_none = placed.name + " sees no beacon from any sample: ";
-  if (placed.beacons->size() == 0) return sees_none + "none is lit";
+  const std::size_t lit = placed.carried()->beacons->size();
+  if (lit == 0) return sees_none + "none is lit";
   InCone count;
   BeaconSightings memory;
   for (const TargetPose& pose : poses) {
@@ -52,7 +54,7 @@ std::string why_blind(const PlacedDevice& placed,
     count.turned_away += here.turned_away;
   }
   if (count.all == 0) {
-    return sees_none + "none of " + grouped(placed.beacons->size()) +
+    return sees_none + "none of " + grouped(lit) +
            " is in a view's cone; look where the device and its views face";
   }
   if (count.turned_away == count.all) {
@@ -69,11 +71,11 @@ std::vector<SeenBeacon> seen_beacons(const System& system, const TargetPose& pos
   std::vector<SeenBeacon> all;
   BeaconSightings sightings;
   for (const PlacedDevice& placed : system.devices) {
-    if (!placed.beacons) continue;
+    if (!placed.carried()) continue;
     see_beacons(system, placed, pose, sightings);
     for (const BeaconSighting& s : sightings.all) {
       all.push_back({placed.name, placed.device->view_name(s.view),
-                     (*placed.beacons)[s.beacon].p, s.distance, s.share});
+                     (*placed.carried()->beacons)[s.beacon].p, s.distance, s.share});
     }
   }
   return all;
@@ -90,7 +92,7 @@ BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t i = 0; i < poses.size(); ++i) {
       for (const PlacedDevice& placed : system.devices) {
-        if (!placed.beacons) continue;
+        if (!placed.carried()) continue;
         see_beacons(system, placed, poses[i], seen);
         used.clear();
         through.clear();
@@ -117,7 +119,7 @@ std::vector<std::string> blind_devices(const System& system,
   std::vector<std::string> reasons;
   BeaconSightings sightings;
   for (const PlacedDevice& placed : system.devices) {
-    if (!placed.beacons) continue;
+    if (!placed.carried()) continue;
     const bool blind =
         std::none_of(poses.begin(), poses.end(), [&](const TargetPose& pose) {
           see_beacons(system, placed, pose, sightings);

@@ -1,4 +1,4 @@
-// From a device's own frame to rows over the state: frames and lever arms.
+// What any device measures of a target: rows over the state.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,6 +6,8 @@
 
 #include "delos/rig/system.h"
 #include "observe/beacon_sightings.h"
+#include "observe/lever.h"
+#include "observe/state_row.h"
 #include "observe/whiten.h"
 #include "rig/sight.h"
 
@@ -15,107 +17,101 @@ namespace delos {
 struct MeasureScratch {
   Target target;
   Observation observation;
-  StateRows rows;
+  StateRow row;
   BeaconSightings sightings;
 };
 
-/// Turn three columns that are a gradient in S into one in W: H_W = H_S R_SW.
-inline void turn(const Observation& o, int from, const Eigen::Matrix3d& R_SW, int to,
-                 StateRows& rows) {
-  for (Eigen::Index i = 0; i < o.H.rows(); ++i) {
-    rows.block<1, 3>(i, to).noalias() = o.H.block<1, 3>(i, from) * R_SW;
-  }
-}
-
-/// Visit every sighting of a beacon that is used: its share makes its noise larger.
+/// Visit every row of every sighting of a beacon that is used.
 template <class Visit>
 bool measure_beacons(const System& system, const PlacedDevice& placed,
-                     const TargetPose& X_WT, int columns, MeasureScratch& scratch,
-                     Visit&& visit) {
+                     const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
   const int d = system.motion.layout.coordinates();
   see_beacons(system, placed, X_WT, scratch.sightings);
-  for (const BeaconSighting& s : scratch.sightings.all) {
-    if (s.share == 0) continue;
-    scratch.rows.setZero(s.rows, columns);
-    scratch.observation.R.setZero(s.rows, s.rows);
-    for (Eigen::Index i = 0; i < s.rows; ++i) {
-      const SightingRow& row = scratch.sightings.rows[s.first_row + i];
-      scratch.rows.row(i).head(d) = Eigen::Map<const Eigen::RowVectorXd>(row.h, d);
-      scratch.observation.R(i, i) = row.variance / s.share;
-    }
-    visit(scratch.rows, scratch.observation.R);
-  }
+  StateRow& row = scratch.row;
+  each_used_row(scratch.sightings, [&](const BeaconSighting& s, const SightingRow& r) {
+    row.h.head(d) = Eigen::Map<const Eigen::RowVectorXd>(r.h, d);
+    row.variance = r.variance;
+    row.share = s.share;
+    row.beacon = s.beacon;
+    visit(std::as_const(row));
+  });
   return !scratch.sightings.all.empty();
 }
 
-/// Visit every observation that a device makes of a target at X_WT: `visit(rows, R)`
-/// with rows m×c over the pose coordinates (or the whole state) and R m×m.
+/// Visit every row about a marker in view.
+template <class Visit>
+bool measure_points(const System& system, const PlacedDevice& placed,
+                    const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
+  const bool may_hide = may_be_hidden(system, placed);
+  bool seen = false;
+  scratch.target.R_ST.setIdentity();  // of another device before
+  for (const Eigen::Vector3d& marker : system.markers) {
+    const Eigen::Vector3d arm = X_WT.R * marker;
+    scratch.target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
+    if (!placed.device->observe(scratch.target, scratch.observation)) continue;
+    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, arm)) continue;
+    seen = true;
+    whiten(scratch.observation.H, scratch.observation.R,
+           [&](const auto& row, double variance) {
+             const Eigen::Vector3d h = row.transpose();
+             pull_row<1>(system.motion.layout, placed.X_WS().R, h.data(), arm.data(),
+                         scratch.row.h.data());
+             scratch.row.variance = placed.noise * variance;
+             visit(std::as_const(scratch.row));
+           });
+  }
+  return seen;
+}
+
+/// A row over pose, velocity, …, [δp, δθ] each, in S, as one over the state.
+/// @param orders how many of them
+template <class Row>
+void fill_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS, int orders,
+              const Row& in_S, StateRow& out) {
+  const auto fill = [&](int from, int to) {
+    const Eigen::Vector3d h = in_S.template segment<3>(from).transpose();
+    turn<1>(R_WS, h.data(), out.h.data() + to);
+  };
+  const int d = layout.coordinates();
+  for (int k = 0; k < orders; ++k) {
+    if (layout.pose != PoseState::orientation) fill(6 * k, d * k);
+    if (layout.pose != PoseState::position) fill(6 * k + 3, d * k + layout.positions());
+  }
+}
+
+/// Visit every row that a device measures of a target at X_WT: `visit(const StateRow&)`
+/// with `columns` columns, information_size().
 /// @returns whether the device sees any of the target.
 template <class Visit>
 bool measure(const System& system, const PlacedDevice& placed, const TargetPose& X_WT,
              int columns, MeasureScratch& scratch, Visit&& visit) {
-  if (placed.beacons) {
-    return measure_beacons(system, placed, X_WT, columns, scratch,
-                           std::forward<Visit>(visit));
-  }
-  const StateLayout& layout = system.motion.layout;
-  const int d = layout.coordinates();
-  const bool position = layout.pose != PoseState::orientation;
-  const bool orientation = layout.pose != PoseState::position;
-  const int theta = layout.positions();  // column of δθ
-  const Eigen::Matrix3d R_SW = placed.X_WS.R.transpose();
-  const bool may_hide = may_be_hidden(system, placed);
-  Target& target = scratch.target;
-  Observation& o = scratch.observation;
+  StateRow& row = scratch.row;
+  row.h.setZero(columns);
+  row.share = 1;
+  if (placed.carried()) return measure_beacons(system, placed, X_WT, scratch, visit);
+  const Span span = placed.device->span();
+  if (span == Span::point) return measure_points(system, placed, X_WT, scratch, visit);
 
-  switch (placed.device->span()) {
-    case Span::point: {
-      bool seen = false;
-      for (const Eigen::Vector3d& marker : system.markers) {
-        const Eigen::Vector3d arm = X_WT.R * marker;  // in W, from the target's origin
-        target.p_ST.noalias() = R_SW * (X_WT.p + arm - placed.X_WS.p);
-        if (!placed.device->observe(target, o)) continue;
-        if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, arm)) continue;
-        seen = true;
-        scratch.rows.resize(o.H.rows(), columns);
-        if (position) turn(o, 0, R_SW, 0, scratch.rows);
-        if (columns > d) scratch.rows.rightCols(columns - d).setZero();
-        if (orientation) {
-          // A small turn δθ about the world's axes moves the point by δθ × arm.
-          const Eigen::Matrix3d lever = -R_SW * cross_matrix(arm);
-          scratch.rows.middleCols<3>(theta).noalias() = o.H.middleCols<3>(0) * lever;
-        }
-        visit(scratch.rows, o.R);
-      }
-      return seen;
-    }
-    case Span::pose:
-    case Span::motion: {
-      target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
-      target.R_ST.noalias() = R_SW * X_WT.R;
-      if (!placed.device->observe(target, o)) return false;
-      if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0})) return false;
-      scratch.rows.setZero(o.H.rows(), columns);
-      const int orders = placed.device->span() == Span::pose ? 1 : layout.order;
-      for (int k = 0; k < orders; ++k) {
-        if (position) turn(o, 6 * k, R_SW, d * k, scratch.rows);
-        if (orientation) turn(o, 6 * k + 3, R_SW, d * k + theta, scratch.rows);
-      }
-      visit(scratch.rows, o.R);
-      return true;
-    }
-    case Span::state: {
-      target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
-      target.R_ST.noalias() = R_SW * X_WT.R;
-      target.state.setZero(layout.size());
-      if (!placed.device->observe(target, o)) return false;
-      if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0})) return false;
-      scratch.rows = o.H;
-      visit(scratch.rows, o.R);
-      return true;
-    }
-  }
-  return false;
+  const StateLayout& layout = system.motion.layout;
+  Target& target = scratch.target;
+  target.p_ST = seen_at(placed.X_WS(), X_WT.p, Eigen::Vector3d::Zero());
+  target.R_ST.noalias() = placed.X_WS().R.transpose() * X_WT.R;
+  target.state.setZero(span == Span::state ? layout.size() : 0);
+  if (!placed.device->observe(target, scratch.observation)) return false;
+  if (may_be_hidden(system, placed) &&
+      !in_sight(system, placed.X_WS().p, X_WT, {0, 0, 0}))
+    return false;
+  const int orders = span == Span::motion ? layout.order : 1;
+  whiten(scratch.observation.H, scratch.observation.R,
+         [&](const auto& in_S, double variance) {
+           if (span == Span::state)
+             row.h = in_S;
+           else
+             fill_row(layout, placed.X_WS().R, orders, in_S, row);
+           row.variance = placed.noise * variance;
+           visit(std::as_const(row));
+         });
+  return true;
 }
 
 }  // namespace delos

@@ -1,10 +1,10 @@
 #include "observe/point_rows.h"
 
-#include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "delos/model/lanes.h"
+#include "observe/lever.h"
+#include "observe/whiten.h"
 
 namespace delos {
 namespace {
@@ -20,48 +20,22 @@ void fill_arms(std::span<const TargetPose> poses, const Eigen::Vector3d& marker,
   }
 }
 
-/// p_S = R_SW (p_WT + arm − p_WS).
+/// Where the device sees the points.
 void fill_points(const Pose& X_WS, std::span<const TargetPose> poses,
                  const Vectors& arm, PointLanes& points) {
-  Vectors from_sensor = {};
+  Vectors from_device = {};
   for (std::size_t l = 0; l < poses.size(); ++l) {
-    for (int i = 0; i < 3; ++i) from_sensor[i][l] = poses[l].p(i) - X_WS.p(i);
+    for (int i = 0; i < 3; ++i)
+      from_device[i][l] = poses[l].p(i) - X_WS.p(i) + arm[i][l];
   }
   points.count = static_cast<int>(poses.size());
-  for (int i = 0; i < 3; ++i) {
-    const double x = X_WS.R(0, i), y = X_WS.R(1, i), z = X_WS.R(2, i);
-    for (int l = 0; l < kLanes; ++l) {
-      points.p[i][l] = x * (from_sensor[0][l] + arm[0][l]) +
-                       y * (from_sensor[1][l] + arm[1][l]) +
-                       z * (from_sensor[2][l] + arm[2][l]);
-    }
-  }
+  turn<kLanes>(X_WS.R.transpose(), from_device[0], points.p[0]);
 }
 
-/// One row over the pose coordinates: H_W = H_S R_SW, and arm × H_W for δθ, because a
-/// small turn δθ about the world's axes moves the point by δθ × arm.
-void turn_row(const Pose& X_WS, const Vectors& H, const double* seen,
-              const Vectors& arm, const StateLayout& layout,
-              double (&row)[kMaxCoordinates][kLanes]) {
-  Vectors w;
-  for (int i = 0; i < 3; ++i) {
-    const double x = X_WS.R(i, 0), y = X_WS.R(i, 1), z = X_WS.R(i, 2);
-    for (int l = 0; l < kLanes; ++l) {
-      const double turned = H[0][l] * x + H[1][l] * y + H[2][l] * z;
-      w[i][l] = seen[l] > 0 ? turned : 0.0;
-    }
-  }
-  if (layout.pose != PoseState::orientation) {
-    for (int i = 0; i < 3; ++i) std::copy_n(w[i], kLanes, row[i]);
-  }
-  if (layout.pose == PoseState::position) return;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    double* turn = row[layout.positions() + i];
-    for (int l = 0; l < kLanes; ++l) {
-      turn[l] = arm[j][l] * w[k][l] - arm[k][l] * w[j][l];
-    }
-  }
+/// Rows in S, and 0 where nothing is seen, where any number may stand.
+void fill_seen(const Vectors& H, const double* seen, Vectors& h) {
+  for (int i = 0; i < 3; ++i)
+    for (int l = 0; l < kLanes; ++l) h[i][l] = seen[l] > 0 ? H[i][l] : 0.0;
 }
 
 std::uint64_t bits(const double* flags, int count) {
@@ -71,13 +45,14 @@ std::uint64_t bits(const double* flags, int count) {
 }
 
 /// 1/r where the row is seen and has noise.
+/// @param noise a factor of r
 /// @returns the lanes where it is seen and has none
-std::uint64_t fill_weights(const double* variance, const double* seen, int count,
-                           double* weight) {
+std::uint64_t fill_weights(const double* variance, double noise, const double* seen,
+                           int count, double* weight) {
   double perfect[kLanes];
   for (int l = 0; l < kLanes; ++l) {
-    const bool noisy = variance[l] >= std::numeric_limits<double>::min();
-    const double inverse = noisy ? 1 / variance[l] : 0.0;
+    const bool noisy = is_noise(variance[l]);
+    const double inverse = noisy ? 1 / (noise * variance[l]) : 0.0;
     weight[l] = seen[l] > 0 ? inverse : 0.0;
     perfect[l] = noisy ? 0.0 : seen[l];
   }
@@ -93,8 +68,8 @@ void look(const System& system, const PlacedDevice& placed,
     bool clear = sight && sight[l] == Sight::clear;
     if (!sight || sight[l] == Sight::unknown) {
       ++out.rays;
-      clear =
-          in_sight(system, placed.X_WS.p, poses[l], {arm[0][l], arm[1][l], arm[2][l]});
+      clear = in_sight(system, placed.X_WS().p, poses[l],
+                       {arm[0][l], arm[1][l], arm[2][l]});
     }
     if (!clear) out.hidden |= std::uint64_t{1} << l;
   }
@@ -105,20 +80,22 @@ void look(const System& system, const PlacedDevice& placed,
 bool observe_rows(const System& system, const PlacedDevice& placed,
                   const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out) {
-  if (placed.beacons || placed.device->span() != Span::point) return false;
+  if (placed.carried() || placed.device->span() != Span::point) return false;
   PointLanes points;
   RowLanes rows;
   Vectors arm = {};
   if (!marker.isZero(0)) fill_arms(poses, marker, arm);
-  fill_points(placed.X_WS, poses, arm, points);
+  fill_points(placed.X_WS(), poses, arm, points);
   if (!placed.device->observe_lanes(points, rows)) return false;
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);
   out.hidden = out.perfect = out.rays = 0;
   for (int r = 0; r < rows.rows; ++r) {
-    turn_row(placed.X_WS, rows.H[r], rows.seen, arm, system.motion.layout, out.h[r]);
-    out.perfect |=
-        fill_weights(rows.variance[r], rows.seen, points.count, out.weight[r]);
+    Vectors h;
+    fill_seen(rows.H[r], rows.seen, h);
+    pull_row<kLanes>(system.motion.layout, placed.X_WS().R, h[0], arm[0], out.h[r][0]);
+    out.perfect |= fill_weights(rows.variance[r], placed.noise, rows.seen, points.count,
+                                out.weight[r]);
   }
   if (may_be_hidden(system, placed)) look(system, placed, poses, arm, sight, out);
   return true;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "rig/parts.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -17,21 +19,14 @@ constexpr double kEndPart = 0.05;
 /// A visibility below this counts as none, and spares looking along the line.
 constexpr double kUnseen = 1e-10;
 
-std::vector<TriangleMesh> bodies(const System& system, Mount mount) {
-  std::vector<TriangleMesh> all;
-  for (const OccluderEntry& entry : system.occluders) {
-    if (entry.mount == mount)
-      all.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
-  }
-  return all;
-}
+using Lever = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, kMaxState>;
 
-/// δp of the marker = J · (the pose's coordinates), 3×d.
-StateRows lever(const StateLayout& layout, const Eigen::Vector3d& arm, int columns) {
-  StateRows J = StateRows::Zero(3, columns);
-  if (layout.pose != PoseState::orientation) J.leftCols<3>().setIdentity();
-  if (layout.pose != PoseState::position)
-    J.middleCols<3>(layout.positions()) = -cross_matrix(arm);
+/// δp of the marker = J · (the pose's coordinates), 3×c, in W.
+Lever lever(const StateLayout& layout, const Eigen::Vector3d& arm, int columns) {
+  const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
+  Lever J = Lever::Zero(3, columns);
+  for (int i = 0; i < 3; ++i)
+    pull_row<1>(layout, I, I.col(i).data(), arm.data(), J.row(i).data());
   return J;
 }
 
@@ -61,8 +56,8 @@ Eigen::Vector3d information_slope(const SmoothRows& rows, const Eigen::Matrix3d&
 
 SoftOccluders::SoftOccluders(const System& system)
     : entries(system.occluders),
-      in_world(bodies(system, Mount::world)),
-      on_target(bodies(system, Mount::target)) {}
+      in_world(placed_bodies(system.occluders, Mount::world)),
+      on_target(placed_bodies(system.occluders, Mount::target)) {}
 
 SoftInformation::SoftInformation(const System& system, const SoftOccluders& occluders,
                                  double width)
@@ -89,10 +84,11 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
                                      const Eigen::Vector3d& arm) const {
   Sightline line{1, Eigen::Vector3d::Zero()};
   if (!may_be_hidden(system_, placed)) return line;
-  if (!in_sight(system_, placed.X_WS.p, X_WT, arm)) return {0, Eigen::Vector3d::Zero()};
+  if (!in_sight(system_, placed.X_WS().p, X_WT, arm))
+    return {0, Eigen::Vector3d::Zero()};
   if (width_ == 0) return line;
 
-  const Eigen::Vector3d device = placed.X_WS.p, marker = X_WT.p + arm;
+  const Eigen::Vector3d device = placed.X_WS().p, marker = X_WT.p + arm;
   const double length = (marker - device).norm();
   const double limit = kShadowPart * width_ * length;
   const auto soften = [&](const Clearance& bodies, const Pose& X_BW) {
@@ -117,19 +113,20 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
-  return !placed.beacons && placed.device->span() == Span::point &&
+  return !placed.carried() && placed.device->span() == Span::point &&
          placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
 }
 
-bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
-                                   double weight, Sightline* lines,
-                                   StateMatrix& S) const {
-  if (placed.beacons || placed.device->span() != Span::point) return false;
-  const Eigen::Matrix3d R_WS = placed.X_WS.R;
+template <class Visit>
+bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
+                                       const TargetPose& X_WT, Sightline* lines,
+                                       StateRow& row, Visit&& visit) const {
+  if (placed.carried() || placed.device->span() != Span::point) return false;
+  row.h.setZero(columns_);
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
-    const Eigen::Vector3d p = R_WS.transpose() * (X_WT.p + arm - placed.X_WS.p);
+    const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
     Sightline& line = lines[m];
     if (line.visibility == 0 || p.isZero(0)) continue;
     if (out_of_view(*placed.device, p)) {
@@ -137,17 +134,17 @@ bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose&
       continue;
     }
     if (!placed.device->observe_smoothly(p, rows)) return false;
-    double v = weight * view(rows.margin);
+    const double v = view(rows.margin);
     if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
-    v *= line.visibility;
-    if (v == 0) continue;
-    const Eigen::Matrix3d of_point = v * R_WS * information(rows) * R_WS.transpose();
-    if (system_.motion.layout.pose == PoseState::position) {
-      S.topLeftCorner<3, 3>() += of_point;
-      continue;
+    row.share = v * line.visibility;
+    if (row.share == 0) continue;
+    for (int i = 0; i < rows.rows; ++i) {
+      const Eigen::Vector3d h = rows.H.row(i).transpose();
+      pull_row<1>(system_.motion.layout, placed.X_WS().R, h.data(), arm.data(),
+                  row.h.data());
+      row.variance = placed.noise * rows.variance(i);
+      visit(std::as_const(row));
     }
-    const StateRows J = lever(system_.motion.layout, arm, columns_);
-    S += J.transpose() * of_point * J;
   }
   return true;
 }
@@ -155,14 +152,16 @@ bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose&
 void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
                           double weight, Sightline* lines, MeasureScratch& scratch,
                           StateMatrix& S) const {
-  if (add_smoothly(placed, X_WT, weight, lines, S)) return;
-  measure(system_, placed, X_WT, columns_, scratch,
-          [&](const StateRows& rows, const decltype(Observation::R)& R) {
-            const auto noisy = [&](const auto& row, double variance) {
-              S += weight / variance * row.transpose() * row;
-            };
-            whiten(rows, R, noisy, [](const auto&) {});
-          });
+  const auto add_row = [&](const StateRow& row) {
+    if (row.perfect()) return;
+    const double all = weight * row.weight();
+    for (int j = 0; j < columns_; ++j) {
+      const double scaled = all * row.h(j);
+      for (int i = 0; i < columns_; ++i) S(i, j) += scaled * row.h(i);
+    }
+  };
+  if (measure_smoothly(placed, X_WT, lines, scratch.row, add_row)) return;
+  measure(system_, placed, X_WT, columns_, scratch, add_row);
 }
 
 // With K = R_SW J G Jᵀ R_WS, J the lever, and p = R_SW (m − p_WS), m the marker:
@@ -173,14 +172,14 @@ void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
 PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X_WT,
                                  Sightline* lines, const StateMatrix& G) const {
   PoseSlope total = PoseSlope::Zero();
-  const Eigen::Matrix3d R_WS = placed.X_WS.R;
+  const Eigen::Matrix3d R_WS = placed.X_WS().R;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Sightline& line = lines[m];
     if (!(line.visibility > 0)) continue;
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
-    const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS.p;
-    const Eigen::Vector3d p = R_WS.transpose() * from;
+    const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS().p;
+    const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
     if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
     const double v = view(rows.margin);
     if (v == 0) continue;
@@ -189,7 +188,7 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
     if (system_.motion.layout.pose == PoseState::position) {
       G_point = G.topLeftCorner<3, 3>();
     } else {
-      const StateRows J = lever(system_.motion.layout, arm, columns_);
+      const Lever J = lever(system_.motion.layout, arm, columns_);
       G_point = J * G * J.transpose();
     }
     const Eigen::Matrix3d K = R_WS.transpose() * G_point * R_WS;
@@ -207,7 +206,7 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
         -from.cross(pull) +
         Eigen::Vector3d(A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0));
   }
-  return total;
+  return total / placed.noise;
 }
 
 }  // namespace delos

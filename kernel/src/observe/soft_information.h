@@ -47,9 +47,11 @@ class SoftInformation {
  private:
   [[nodiscard]] Sightline sightline(const PlacedDevice& placed, const TargetPose& X_WT,
                                     const Eigen::Vector3d& arm) const;
+  /// measure() of rows that an update has as far as the marker is visible.
   /// @returns false where the device has no observe_smoothly()
-  bool add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT, double weight,
-                    Sightline* lines, StateMatrix& S) const;
+  template <class Visit>
+  bool measure_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
+                        Sightline* lines, StateRow& row, Visit&& visit) const;
   [[nodiscard]] double view(double margin) const;
   [[nodiscard]] bool out_of_view(const Device& device, const Eigen::Vector3d& p) const;
 

@@ -39,7 +39,7 @@ bool in_sight(const System& system, const Eigen::Vector3d& in_world,
 Sight sight_of_box(const System& system, const PlacedDevice& placed,
                    const Eigen::Matrix3d& R_WT, const Eigen::Vector3d& arm,
                    const Eigen::AlignedBox3d& box) {
-  const Eigen::Vector3d& device = placed.X_WS.p;
+  const Eigen::Vector3d& device = placed.X_WS().p;
   const Sight world = sight_from(system.in_world, device,
                                  {box.min() + arm, box.max() + arm}, system.skin);
   if (world == Sight::hidden || system.on_target.triangles() == 0) return world;

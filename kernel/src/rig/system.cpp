@@ -4,6 +4,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "rig/parts.h"
+
 namespace delos {
 namespace {
 
@@ -25,12 +27,8 @@ std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
 std::shared_ptr<const BeaconIndex> beacons_of(const Scene& scene,
                                               const DeviceEntry& entry) {
   std::vector<Beacon> all;
-  for (const BeaconSet& set : scene.beacons) {
-    const auto& sees = entry.beacons;
-    if (!sees.empty() && std::find(sees.begin(), sees.end(), set.name) == sees.end()) {
-      continue;
-    }
-    const std::vector<Beacon> lit = lit_beacons(set);
+  for (const std::size_t set : seen_sets(scene.beacons, entry.beacons)) {
+    const std::vector<Beacon> lit = lit_beacons(scene.beacons[set]);
     all.insert(all.end(), lit.begin(), lit.end());
   }
   return std::make_shared<const BeaconIndex>(std::move(all));
@@ -48,7 +46,8 @@ class BeaconSharing {
                                                 const DeviceEntry& entry) {
     if (previous_ && index < previous_->devices.size()) {
       const PlacedDevice& old = previous_->devices[index];
-      if (old.beacons && old.sees == entry.beacons) return old.beacons;
+      const TargetMount* carried = old.carried();
+      if (carried && carried->sees == entry.beacons) return carried->beacons;
     }
     auto& made = made_[entry.beacons];
     if (!made) made = beacons_of(scene_, entry);
@@ -61,13 +60,8 @@ class BeaconSharing {
   std::map<std::vector<std::string>, std::shared_ptr<const BeaconIndex>> made_;
 };
 
-/// The bodies of one mount, placed.
 Occluders placed_occluders(const Scene& scene, Mount mount) {
-  std::vector<TriangleMesh> bodies;
-  for (const OccluderEntry& entry : scene.occluders) {
-    if (entry.mount != mount) continue;
-    bodies.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
-  }
+  const std::vector<TriangleMesh> bodies = placed_bodies(scene.occluders, mount);
   return bodies.empty() ? Occluders() : Occluders(bodies);
 }
 
@@ -104,13 +98,11 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
       placed.device = make_device(*plugin.info, entry.params);
     }
     if (entry.mount == Mount::target) {
-      placed.X_TS = pose_of(entry.placement);
-      placed.beacons = beacons(system.devices.size(), entry);
-      placed.sees = entry.beacons;
-      placed.select = entry.select;
-      placed.count = entry.count;
+      placed.mount =
+          TargetMount{pose_of(entry.placement), beacons(system.devices.size(), entry),
+                      entry.beacons, entry.select, entry.count};
     } else {
-      placed.X_WS = device_pose(scene, entry);
+      placed.mount = WorldMount{device_pose(scene, entry)};
     }
     placed.period = 1 / entry.rate;
     placed.phase = entry.phase;
@@ -127,6 +119,10 @@ int information_size(const System& system) {
         return span == Span::point || span == Span::pose;
       });
   return pose_alone ? layout.coordinates() : layout.size();
+}
+
+double information_weight(const System& system, const PlacedDevice& device) {
+  return system.fusion == Fusion::continuous ? 1 / device.period : 1;
 }
 
 }  // namespace delos

@@ -207,16 +207,13 @@ void FusionSolver::solve(const LayerBlock& block, int lane, const TargetPose& po
     exact.resize(0, n);
     if (!(block.perfect[i] >> lane & 1)) continue;
     MeasureScratch measuring;
-    const auto noisy = [](const auto&, double) {};
-    const auto keep = [&](const auto& row) {
+    const auto keep = [&](const StateRow& row) {
+      if (!row.perfect()) return;
       StateVector whole = StateVector::Zero(n);
-      whole.head(columns_) = row;
+      whole.head(columns_) = row.h;
       append_independent(whole, exact);
     };
-    measure(system_, system_.devices[i], pose, columns_, measuring,
-            [&](const StateRows& rows, const decltype(Observation::R)& R) {
-              whiten(rows, R, noisy, keep);
-            });
+    measure(system_, system_.devices[i], pose, columns_, measuring, keep);
   }
   solve_general(block, lane, with_time_constant, scratch, out);
 }
@@ -231,6 +228,9 @@ void FusionSolver::solve_general(const LayerBlock& block, int lane,
     for (std::size_t s = 0; s < cycle_.size(); ++s) {
       Measurement& m = scratch.cycle[s].measurement;
       m.information.setZero(n, n);
+      m.information.diagonal()
+          .head(system_.motion.layout.coordinates())
+          .setConstant(system_.prior);
       m.exact.resize(0, n);
       const auto add = [&](int device) {
         const auto i = static_cast<std::size_t>(device);

@@ -32,11 +32,9 @@ using FieldValues = std::vector<std::vector<double>>;
 /// eigenvalues meet; it is above eigmax by 3.5 % at most.
 class DELOS_API SoftField {
  public:
-  /// @param floor information of one update, or its rate, that every coordinate of the
-  ///              pose has besides; 1/m² and 1/rad²
   /// @pre slope_problem() is empty for every metric
   SoftField(Samples samples, Orientations orientations, std::vector<Metric> metrics,
-            double floor, int threads = 0);
+            int threads = 0);
   ~SoftField();
 
   /// @param width radians, about how wide edges are; 0: hard

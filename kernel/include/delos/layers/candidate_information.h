@@ -26,7 +26,7 @@ struct ExactRow {
 /// over the pose's entries; matrices are packed as model/lanes.h says, without lanes.
 struct CandidateInformation {
   int columns = 0;                 ///< of S: information_size()
-  std::vector<double> always;      ///< poses × packed
+  std::vector<double> always;      ///< poses × packed, the prior included
   std::vector<std::size_t> first;  ///< poses + 1: where the entries of a pose begin
   std::vector<std::int32_t> candidate;   ///< of each entry, ascending within a pose
   std::vector<double> information;       ///< entries × packed

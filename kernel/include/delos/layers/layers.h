@@ -19,7 +19,7 @@ struct LayerBlock {
   int lanes = 0;                    ///< poses in the block
   std::vector<double> layers;       ///< devices × packed × kLanes: S of each device
   std::vector<double> groups;       ///< weighted sums over 8 devices each
-  std::vector<double> total;        ///< packed × kLanes: weighted sum over all
+  std::vector<double> total;        ///< packed × kLanes: weighted sum, and the prior
   std::vector<std::uint64_t> seen;  ///< one word a device: the lanes that it sees
   std::vector<std::uint64_t> perfect;  ///< likewise: lanes with rows of no noise
 };
@@ -36,9 +36,10 @@ struct LayerOptions {
 
 /// Per-device information at a list of poses.
 ///
-/// A change of motion, metric or rate recomputes no device; a moved device recomputes
-/// its own layer and two levels of partial sums. Sums run in the order of the devices,
-/// in groups of eight, so that an updated set is equal, bit for bit, to a fresh one.
+/// A change of motion, metric, rate or prior recomputes no device; a moved device
+/// recomputes its own layer and two levels of partial sums. Sums run in the order of
+/// the devices, in groups of eight, so that an updated set is equal, bit for bit, to a
+/// fresh one.
 class DELOS_API InformationLayers {
  public:
   InformationLayers(const System& system, std::vector<TargetPose> poses,

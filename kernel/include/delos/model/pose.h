@@ -42,11 +42,4 @@ using PoseSlope = Eigen::Matrix<double, 6, 1>;
 [[nodiscard]] DELOS_API Eigen::Matrix3d rotation_from_aim(const Eigen::Vector3d& from,
                                                           const Eigen::Vector3d& to);
 
-/// The skew-symmetric matrix [v]× with [v]× w = v × w.
-[[nodiscard]] inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
-
 }  // namespace delos

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "delos/api.h"
@@ -17,22 +18,40 @@
 
 namespace delos {
 
+/// How a device stands that looks at the target.
+struct WorldMount {
+  Pose X_WS;  ///< device frame to world
+  friend bool operator==(const WorldMount&, const WorldMount&) = default;
+};
+
+/// How the target carries a device that looks at beacons in the world.
+struct TargetMount {
+  Pose X_TS;                                   ///< device frame to target
+  std::shared_ptr<const BeaconIndex> beacons;  ///< never null
+  std::vector<std::string> sees;               ///< sets of beacons; empty: all
+  SightingRule select = SightingRule::all;
+  int count = 1;  ///< sightings an update, see `select`
+  friend bool operator==(const TargetMount&, const TargetMount&) = default;
+};
+
 /// A device in its place.
 struct PlacedDevice {
   std::string name;
   std::string type;
   ParamValues params;                    ///< what `device` was made from
   std::shared_ptr<const Device> device;  ///< never null
-  Pose X_WS;                             ///< device frame to world
-  /// What it looks at where the target carries it, by X_TS; null: it stands in the
-  /// world, by X_WS, and looks at the target.
-  std::shared_ptr<const BeaconIndex> beacons;
-  Pose X_TS;                      ///< device frame to target
-  std::vector<std::string> sees;  ///< sets of beacons; empty: all
-  SightingRule select = SightingRule::all;
-  int count = 1;      ///< sightings an update, see `select`
+  std::variant<WorldMount, TargetMount> mount;
+  double noise = 1;   ///< its noise's covariance is so many times what it says, > 0
   double period = 0;  ///< seconds between updates, > 0
   double phase = 0;   ///< seconds to the first update, ≥ 0
+
+  /// How the target carries it; null: it stands in the world.
+  [[nodiscard]] const TargetMount* carried() const {
+    return std::get_if<TargetMount>(&mount);
+  }
+  /// Device frame to world. @pre it stands there
+  [[nodiscard]] const Pose& X_WS() const { return std::get<WorldMount>(mount).X_WS; }
+  [[nodiscard]] Pose& X_WS() { return std::get<WorldMount>(mount).X_WS; }
 };
 
 /// All that the steady-state equation needs of a scene.
@@ -40,6 +59,9 @@ struct System {
   MotionModel motion;
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
+  /// Information that every update adds to each coordinate of the pose besides what the
+  /// devices measure, or its rate under continuous fusion; 1/m² and 1/rad², ≥ 0.
+  double prior = 0;
   std::vector<Eigen::Vector3d> markers;  ///< in the target's frame, metres
   std::vector<PlacedDevice> devices;
   std::vector<BeaconSet> beacon_sets;    ///< what the devices' beacons were made from
@@ -62,6 +84,11 @@ struct System {
 /// The size of the information that the devices give: d where all measure the pose
 /// alone, else n.
 [[nodiscard]] DELOS_API int information_size(const System& system);
+
+/// By how much of what a device measures at once the information grows in one update,
+/// or, under continuous fusion, in a second: 1, or its rate.
+[[nodiscard]] DELOS_API double information_weight(const System& system,
+                                                  const PlacedDevice& device);
 
 /// A target's pose in the world, X_WT.
 using TargetPose = Pose;

@@ -1,0 +1,65 @@
+// How what a device observes moves with the target's pose.
+//
+// A device at X_WS observes a point of the target, which is an arm from the target's
+// origin, in W. Where the target moves by δp and turns by δθ about the world's axes,
+//
+//     p_S = R_SW (p_WT + arm − p_WS),   δp_S = R_SW (δp + δθ × arm)
+//
+// so that a row h over p_S becomes one over the coordinates of the pose:
+//
+//     [g, arm × g],   g = h R_SW
+//
+// A device on the target sees a beacon of the world, at an arm from the target's
+// origin, move the other way: g = −h R_SW.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "delos/model/pose.h"
+#include "delos/model/state.h"
+
+namespace delos {
+
+// Of `count` of them side by side, entry i of the l-th at [i·count + l]; one of them is
+// a plain vector or row.
+
+/// out = R v, and so with R = R_WS the row v R_SW. `out` is none of the others.
+template <int count>
+void turn(const Eigen::Matrix3d& R, const double* v, double* out) {
+  for (int i = 0; i < 3; ++i) {
+    const double x = R(i, 0), y = R(i, 1), z = R(i, 2);
+    for (int l = 0; l < count; ++l)
+      out[i * count + l] = x * v[l] + y * v[count + l] + z * v[2 * count + l];
+  }
+}
+
+/// A row over the pose coordinates, in W, of one over an observed point.
+/// @param R_WS −R_WS for beacons
+/// @param h over the point, in S
+/// @param arm in W, metres
+template <int count>
+void pull_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS, const double* h,
+              const double* arm, double* row) {
+  double g[3 * count];
+  turn<count>(R_WS, h, g);
+  if (layout.pose != PoseState::orientation) std::copy_n(g, 3 * count, row);
+  if (layout.pose == PoseState::position) return;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3 * count, k = (i + 2) % 3 * count;
+    double* of_turn = row + (layout.positions() + i) * count;
+    for (int l = 0; l < count; ++l)
+      of_turn[l] = arm[j + l] * g[k + l] - arm[k + l] * g[j + l];
+  }
+}
+
+/// Where a device at X_WS sees a point of a target: p_S above.
+inline Eigen::Vector3d seen_at(const Pose& X_WS, const Eigen::Vector3d& p_WT,
+                               const Eigen::Vector3d& arm) {
+  const Eigen::Vector3d from_device = p_WT - X_WS.p + arm;
+  Eigen::Vector3d p;
+  turn<1>(X_WS.R.transpose(), from_device.data(), p.data());
+  return p;
+}
+
+}  // namespace delos
