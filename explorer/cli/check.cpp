@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/steady/fusion.h"
+#include "delos/steady/steady_solver.h"
 #include "json.h"
 #include "summary.h"
 
@@ -30,7 +30,7 @@ struct Checked {
 };
 
 Facts facts_of(const LoadedScene& loaded, Solver chosen) {
-  const FusionSolver solver(loaded.system, chosen);
+  const auto solver = make_steady_solver(loaded.system, chosen);
   const std::string problem = metric_problem(loaded.system, loaded.metric);
   if (!problem.empty()) throw std::invalid_argument(problem);
   Facts facts;
@@ -39,7 +39,7 @@ Facts facts_of(const LoadedScene& loaded, Solver chosen) {
   for (const SampleSet& set : loaded.scene.samples)
     facts.samples += static_cast<std::size_t>(sample_count(set));
   facts.fusion = to_string(loaded.system.fusion);
-  facts.solver = to_string(solver.solver());
+  facts.solver = to_string(solver->solver());
   return facts;
 }
 

@@ -93,6 +93,10 @@ Solver solver_named(const std::string& name) {
 }
 
 Failure unsolvable(const SceneOptions& options, const std::invalid_argument& error) {
+  const auto* unsuitable = dynamic_cast<const UnsuitableSolver*>(&error);
+  if (unsuitable)
+    return {kUsage, unsuitable->problem() + "; use --solver " +
+                        to_string(unsuitable->instead())};
   return {options.solver == "auto" ? kDiagnostics : kUsage, error.what()};
 }
 

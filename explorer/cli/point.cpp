@@ -45,6 +45,7 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   json["rpy"] = numbers(rpy);
   json["fusion"] = to_string(loaded.system.fusion);
   json["solver"] = to_string(report.solver);
+  json["covariance_of"] = to_string(state.of);
   json["state"] = loaded.scene.motion.layout.names();
   json["units"] = loaded.scene.motion.layout.units();
   json["inside"] = report.inside;
@@ -136,6 +137,8 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
       << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
                                                             : "a-posteriori")
       << ", solver " << to_string(report.solver) << "\n";
+  if (state.of != CovarianceOf::every_update)
+    out << "P∞ is " << to_string(state.of) << "\n";
   for (const MetricValue& m : report.metrics) {
     out << "  " << std::left << std::setw(18) << m.metric.name
         << (std::isfinite(m.value) ? format_quantity(m.value, m.metric.unit)

@@ -2,13 +2,14 @@
 
 #include <omp.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "delos/model/infinity.h"
 #include "delos/model/lanes.h"
+#include "delos/model/metric_table.h"
 #include "delos/sampling/samples.h"
+#include "delos/steady/combine.h"
 
 namespace delos {
 namespace {
@@ -26,21 +27,10 @@ std::vector<TargetPose> poses_of(const Samples& samples,
   return poses;
 }
 
-bool reads_pose_alone(const std::vector<VarianceTerm>& terms,
-                      const StateLayout& layout) {
-  return std::all_of(terms.begin(), terms.end(), [&](const VarianceTerm& t) {
-    return t.metric.kind != MetricKind::sigma || t.metric.state < layout.coordinates();
-  });
-}
-
-/// The block of P that a metric reads: its first row and its size.
-struct Block {
-  Eigen::Index first, size;
-};
-Block block_of(const Metric& metric, const StateLayout& layout) {
-  if (metric.kind == MetricKind::sigma) return {metric.state, 1};
-  if (metric.kind == MetricKind::sigma_orientation) return {layout.positions(), 3};
-  return {0, 3};
+std::vector<Metric> metrics_of(const std::vector<VarianceTerm>& terms) {
+  std::vector<Metric> metrics;
+  for (const VarianceTerm& term : terms) metrics.push_back(term.metric);
+  return metrics;
 }
 
 /// log Σ exp(s x) / s, and the shares exp(s x)/Σ. @pre x isn't empty
@@ -54,59 +44,32 @@ double soft_maximum(double s, std::span<const double> x, std::vector<double>& sh
   return most + std::log(sum) / s;
 }
 
-/// Something whose largest one counts: a value of P and ∂value/∂P over the block.
-struct Atom {
-  double value;
-  Eigen::Matrix3d slope;
-};
-
-/// φ(P) as the largest of some atoms.
-std::vector<Atom> atoms_of(const Metric& metric, const StateLayout& layout,
-                           const StateMatrix& P) {
-  const Block at = block_of(metric, layout);
-  std::vector<Atom> atoms;
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
-  if (at.size == 1) {
-    slope(0, 0) = 1;
-    return {{P(at.first, at.first), slope}};
-  }
-  const Eigen::Matrix3d B = P.block<3, 3>(at.first, at.first);
-  switch (metric.kind) {
-    case MetricKind::eigmax: {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(B);
-      for (int i = 0; i < 3; ++i) {
-        const Eigen::Vector3d u = eigen.eigenvectors().col(i);
-        atoms.push_back({eigen.eigenvalues()(i), u * u.transpose()});
-      }
-      return atoms;
-    }
-    case MetricKind::eiglen:
-      return {{B.norm(), B / B.norm()}};
-    default:
-      return {{B.trace(), Eigen::Matrix3d::Identity()}};
-  }
-}
-
 }  // namespace
 
 std::string variance_problem(const Metric& metric) {
-  switch (metric.kind) {
-    case MetricKind::sigma:
-    case MetricKind::sigma_position:
-    case MetricKind::sigma_orientation:
-    case MetricKind::eigmax:
-    case MetricKind::eiglen:
-    case MetricKind::trace:
-      return "";
-    default:
-      return metric.name +
-             " isn't a convex function of the covariance, so that no bound is known; "
-             "use sigma_x, …, sigma_position, sigma_orientation, eigmax, eiglen or "
-             "trace";
-  }
+  const MetricRow& row = row_of(metric.kind);
+  if (row.convex && !row.larger_is_better) return "";
+  return metric.name +
+         " isn't a convex function of the covariance, so that no bound is known; use "
+         "sigma_x, …, sigma_position, sigma_orientation, eigmax, eiglen or trace";
 }
 
-bool is_deviation(const Metric& metric) { return metric.kind != MetricKind::trace; }
+/// One orientation of a sample, solved.
+struct FieldCost::Turn {
+  SteadyEquation at;
+  FusedState state;
+  MetricParts parts;
+};
+
+/// Memory of one thread, made once.
+struct FieldCost::Scratch {
+  explicit Scratch(const FieldCost& cost)
+      : turns(cost.solved_), of_turns(cost.solved_ * cost.terms_.size()) {
+    for (Turn& turn : turns) turn.at = cost.solver_->equation();
+  }
+  std::vector<Turn> turns;
+  std::vector<double> of_turns;  // solved turns × terms
+};
 
 /// What one sample adds.
 struct FieldCost::Sample {
@@ -120,13 +83,16 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
     : layout_(system.motion.layout),
       combine_(orientations.combine),
       terms_(std::move(terms)),
-      map_(system, !reads_pose_alone(terms_, layout_)),
+      kind_(system.covariance),
+      solver_(make_smooth_steady_solver(system)),
+      request_(request_for(system, metrics_of(terms_))),
       known_(
           candidate_information(system, all, poses_of(samples, orientations), threads)),
       excluded_(all.candidates.size(), 0),
       size_(all.candidates.size()),
       samples_(samples.points.size()),
       turns_(orientations.rpy.size()),
+      solved_(solved_turns(combine_, turns_)),
       packed_(static_cast<std::size_t>(packed_index(known_.columns, 0))),
       threads_(threads > 0 ? threads : omp_get_max_threads()) {
   std::vector<char> whole(size_, 0);
@@ -149,9 +115,10 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
   }
   const std::vector<double> everything(size_, 1.0);
   std::vector<double> values(terms_.size());
+  Scratch scratch(*this);
   scale_.assign(terms_.size(), std::vector<double>(samples_, 1));
   for (std::size_t s = 0; s < samples_; ++s) {
-    if (!hard(everything, s, values.data())) continue;
+    if (!hard(everything, s, scratch, values.data())) continue;
     for (std::size_t t = 0; t < terms_.size(); ++t)
       if (values[t] > 0) scale_[t][s] = values[t];
   }
@@ -172,8 +139,9 @@ void FieldCost::each_chunk(Body&& body) const {
     body(c, std::min(samples_, c * length), std::min(samples_, (c + 1) * length));
 }
 
-void FieldCost::information(std::span<const double> w, std::size_t pose,
-                            StateMatrix& S) const {
+/// S of a pose, packed, times a share.
+void FieldCost::add_information(std::span<const double> w, std::size_t pose,
+                                double share, SteadyEquation& at) const {
   double sum[packed_index(kMaxState, 0)];
   std::copy_n(&known_.always[pose * packed_], packed_, sum);
   for (std::size_t e = known_.first[pose]; e < known_.first[pose + 1]; ++e) {
@@ -182,14 +150,12 @@ void FieldCost::information(std::span<const double> w, std::size_t pose,
     const double* of_entry = &known_.information[e * packed_];
     for (std::size_t k = 0; k < packed_; ++k) sum[k] += weight * of_entry[k];
   }
-  S.resize(known_.columns, known_.columns);
-  for (int i = 0; i < known_.columns; ++i)
-    for (int j = 0; j <= i; ++j) S(i, j) = S(j, i) = sum[packed_index(i, j)];
+  for (std::size_t k = 0; k < packed_; ++k) sum[k] *= share;
+  at.add(0, sum);
 }
 
-void FieldCost::exact_rows(std::span<const double> w, bool fractions, std::size_t pose,
-                           Eigen::MatrixXd& rows) const {
-  rows.resize(0, known_.columns);
+void FieldCost::add_perfect_rows(std::span<const double> w, bool fractions,
+                                 std::size_t pose, SteadyEquation& at) const {
   for (std::size_t e = known_.first_exact[pose]; e < known_.first_exact[pose + 1];
        ++e) {
     const ExactRow& row = known_.exact[e];
@@ -197,128 +163,101 @@ void FieldCost::exact_rows(std::span<const double> w, bool fractions, std::size_
       const auto c = static_cast<std::size_t>(row.candidate);
       if (fractions ? excluded_[c] : w[c] < 1) continue;
     }
-    rows.conservativeResize(rows.rows() + 1, known_.columns);
-    rows.bottomRows(1) = row.h;
+    at.add_perfect(0, row.h.transpose());
   }
 }
 
-bool FieldCost::solve(std::span<const double> w, bool fractions, std::size_t pose,
-                      CovarianceMap::Solution& out) const {
-  StateMatrix S;
-  Eigen::MatrixXd exact;
-  information(w, pose, S);
-  exact_rows(w, fractions, pose, exact);
-  return settles(S, exact, out);
-}
-
-bool FieldCost::settles(const StateMatrix& S, const Eigen::MatrixXd& exact,
-                        CovarianceMap::Solution& out) const {
-  const RiccatiStatus status = map_.solve(S, exact, out);
-  if (status == RiccatiStatus::iteration_limit) unsettled_ = true;
-  return status == RiccatiStatus::converged;
+bool FieldCost::solve(std::span<const double> w, bool fractions, std::size_t sample,
+                      std::size_t turn, Turn& out) const {
+  const std::size_t pose = sample * turns_ + turn, merged = turns_ / solved_;
+  out.at.clear();
+  for (std::size_t t = 0; t < merged; ++t)
+    add_information(w, pose + t, 1 / static_cast<double>(merged), out.at);
+  add_perfect_rows(w, fractions, pose, out.at);
+  solver_->solve(out.at, request_, out.state);
+  if (out.state.status == RiccatiStatus::iteration_limit) unsettled_ = true;
+  return out.state.status == RiccatiStatus::converged;
 }
 
 /// φ of each term at one sample; false where it isn't finite.
-bool FieldCost::hard(std::span<const double> w, std::size_t sample,
+bool FieldCost::hard(std::span<const double> w, std::size_t sample, Scratch& scratch,
                      double* values) const {
-  CovarianceMap::Solution at;
-  StateMatrix S, of_turn;
-  Eigen::MatrixXd exact;
-  std::fill_n(values, terms_.size(), 0.0);
-  const bool by_information = combine_ == OrientationRule::information;
-  const double share = 1 / static_cast<double>(turns_);
-  if (by_information) {
-    for (std::size_t t = 0; t < turns_; ++t) {
-      information(w, sample * turns_ + t, of_turn);
-      S = t == 0 ? StateMatrix(of_turn * share) : StateMatrix(S + of_turn * share);
-    }
-    exact_rows(w, false, sample * turns_, exact);
-  }
-  for (std::size_t t = 0; t < (by_information ? 1 : turns_); ++t) {
-    const bool finite = by_information ? settles(S, exact, at)
-                                       : solve(w, false, sample * turns_ + t, at);
-    if (!finite) {
-      std::fill_n(values, terms_.size(), kInfinity);
+  const std::size_t count = terms_.size();
+  for (std::size_t t = 0; t < solved_; ++t) {
+    Turn& turn = scratch.turns[t];
+    if (!solve(w, false, sample, t, turn)) {
+      std::fill_n(values, count, kInfinity);
       return false;
     }
-    for (std::size_t k = 0; k < terms_.size(); ++k) {
-      double largest = 0;
-      for (const Atom& atom : atoms_of(terms_[k].metric, layout_, at.P))
-        largest = std::max(largest, atom.value);
-      if (combine_ == OrientationRule::mean)
-        values[k] += share * largest;
-      else
-        values[k] = std::max(values[k], largest);
-    }
+    for (std::size_t k = 0; k < count; ++k)
+      scratch.of_turns[t * count + k] =
+          variance_value(terms_[k].metric, layout_, turn.state.covariance(kind_));
   }
+  for (std::size_t k = 0; k < count; ++k)
+    values[k] = combine(combine_, solved_, false, [&](std::size_t t) {
+                  return scratch.of_turns[t * count + k];
+                }).value;
   return true;
 }
 
 /// φ̃, its minorant and its slopes at one sample.
 bool FieldCost::soft(std::span<const double> w, double sharpness, std::size_t sample,
-                     Sample& out) const {
-  const bool by_information = combine_ == OrientationRule::information;
-  const std::size_t count = by_information ? 1 : turns_;
-  const double share = 1 / static_cast<double>(turns_);
-  std::vector<CovarianceMap::Solution> at(count);
-  if (by_information) {
-    StateMatrix S, of_turn;
-    Eigen::MatrixXd exact;
-    for (std::size_t t = 0; t < turns_; ++t) {
-      information(w, sample * turns_ + t, of_turn);
-      S = t == 0 ? StateMatrix(of_turn * share) : StateMatrix(S + of_turn * share);
-    }
-    exact_rows(w, true, sample * turns_, exact);
-    if (!settles(S, exact, at[0])) return false;
-  } else {
-    for (std::size_t t = 0; t < turns_; ++t)
-      if (!solve(w, true, sample * turns_ + t, at[t])) return false;
-  }
+                     Scratch& scratch, Sample& out) const {
+  for (std::size_t t = 0; t < solved_; ++t)
+    if (!solve(w, true, sample, t, scratch.turns[t])) return false;
   out.smooth.assign(terms_.size(), 0);
   out.level.assign(terms_.size(), 0);
   out.slope.assign(terms_.size(), std::vector<double>(turns_ * packed_, 0.0));
-  const bool mean = combine_ == OrientationRule::mean;
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    soft_term(k, sharpness / scale_[k][sample], scratch, out);
+  return true;
+}
+
+// φ̃ is the soft maximum of all parts of φ in all orientations, or the mean over the
+// orientations of the soft maxima of each one's parts.
+void FieldCost::soft_term(std::size_t term, double sharpness, Scratch& scratch,
+                          Sample& out) const {
+  const MetricRow& row = row_of(terms_[term].metric.kind);
+  const auto [first, size] = place_of(terms_[term].metric, layout_);
   std::vector<double> values, shares;
-  for (std::size_t k = 0; k < terms_.size(); ++k) {
-    const Block block = block_of(terms_[k].metric, layout_);
-    const double s = sharpness / scale_[k][sample];
-    std::vector<std::vector<Atom>> atoms;
-    values.clear();
-    for (std::size_t t = 0; t < count; ++t) {
-      atoms.push_back(atoms_of(terms_[k].metric, layout_, at[t].P));
-      for (const Atom& atom : atoms.back()) values.push_back(atom.value);
-    }
-    const std::size_t each = atoms.front().size();
-    std::vector<double> weight(values.size());  // ∂φ̃/∂atom
-    for (std::size_t group = 0; group < (mean ? count : 1); ++group) {
-      const std::size_t from = mean ? group * each : 0;
-      const std::size_t length = mean ? each : values.size();
-      const double part = mean ? share : 1;
-      out.smooth[k] +=
-          part * soft_maximum(s, std::span(values).subspan(from, length), shares);
-      for (std::size_t i = 0; i < length; ++i) {
-        weight[from + i] = part * shares[i];
-        out.level[k] += weight[from + i] * values[from + i];
-      }
-    }
-    for (std::size_t t = 0; t < count; ++t) {
-      StateMatrix Y = StateMatrix::Zero(at[t].P.rows(), at[t].P.cols());
-      for (std::size_t i = 0; i < each; ++i)
-        Y.block(block.first, block.first, block.size, block.size) +=
-            weight[t * each + i] *
-            atoms[t][i].slope.topLeftCorner(block.size, block.size);
-      const StateMatrix G = map_.adjoint(at[t], Y);
-      // S_ij stands for both of its places.
-      for (std::size_t turn = by_information ? 0 : t;
-           turn < (by_information ? turns_ : t + 1); ++turn)
-        for (int i = 0; i < known_.columns; ++i)
-          for (int j = 0; j <= i; ++j)
-            out.slope[k]
-                     [turn * packed_ + static_cast<std::size_t>(packed_index(i, j))] =
-                (by_information ? share : 1) * G(i, j) * (i == j ? 1 : 2);
+  for (Turn& turn : scratch.turns) {
+    const StateMatrix& P = turn.state.covariance(kind_);
+    row.parts(P.block(first, first, size, size), true, turn.parts);
+    values.insert(values.end(), turn.parts.value, turn.parts.value + turn.parts.count);
+  }
+  const bool mean = combine_ == OrientationRule::mean;
+  const std::size_t each = values.size() / solved_;
+  const std::size_t length = mean ? each : values.size();
+  const double part = mean ? 1 / static_cast<double>(solved_) : 1;
+  std::vector<double> weight(values.size());  // ∂φ̃/∂φ_i
+  for (std::size_t from = 0; from < values.size(); from += length) {
+    out.smooth[term] +=
+        part * soft_maximum(sharpness, std::span(values).subspan(from, length), shares);
+    for (std::size_t i = 0; i < length; ++i) {
+      weight[from + i] = part * shares[i];
+      out.level[term] += weight[from + i] * values[from + i];
     }
   }
-  return true;
+  for (std::size_t t = 0; t < solved_; ++t) {
+    const Turn& turn = scratch.turns[t];
+    const StateMatrix& P = turn.state.covariance(kind_);
+    StateMatrix Y = StateMatrix::Zero(P.rows(), P.cols());
+    for (std::size_t i = 0; i < each; ++i)
+      Y.block(first, first, size, size) += weight[t * each + i] * turn.parts.slope[i];
+    spread(solver_->adjoint(turn.at, Y), t, out.slope[term]);
+  }
+}
+
+/// ∂φ̃/∂S of a solved turn, packed, where each of its poses has a share in S.
+void FieldCost::spread(const StateMatrix& G, std::size_t turn,
+                       std::vector<double>& slope) const {
+  const std::size_t merged = turns_ / solved_;
+  for (std::size_t pose = turn; pose < turn + merged; ++pose)
+    for (int i = 0; i < known_.columns; ++i)
+      for (int j = 0; j <= i; ++j)
+        // S_ij stands for both of its places.
+        slope[pose * packed_ + static_cast<std::size_t>(packed_index(i, j))] =
+            G(i, j) * (i == j ? 1 : 2) / static_cast<double>(merged);
 }
 
 /// slope_c += Σ_terms pull ⟨∂φ̃/∂S, S_c⟩
@@ -362,7 +301,8 @@ double FieldCost::value(std::span<const double> w) {
   const std::size_t count = terms_.size();
   std::vector<double> values(samples_ * count);
   each_chunk([&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t s = first; s < end; ++s) hard(w, s, &values[s * count]);
+    Scratch scratch(*this);
+    for (std::size_t s = first; s < end; ++s) hard(w, s, scratch, &values[s * count]);
   });
   return total(values);
 }
@@ -373,12 +313,14 @@ std::vector<double> FieldCost::changed(std::span<const char> chosen,
   const std::vector<double> w(chosen.begin(), chosen.end());
   std::vector<double> before(samples_ * count);
   each_chunk([&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t s = first; s < end; ++s) hard(w, s, &before[s * count]);
+    Scratch scratch(*this);
+    for (std::size_t s = first; s < end; ++s) hard(w, s, scratch, &before[s * count]);
   });
   std::vector<double> costs(changes.size());
 #pragma omp parallel num_threads(threads_)
   {
     std::vector<double> own = w, values = before;
+    Scratch scratch(*this);
 #pragma omp for schedule(dynamic)
     for (std::size_t i = 0; i < changes.size(); ++i) {
       const auto each_seen = [&](auto&& body) {
@@ -388,7 +330,7 @@ std::vector<double> FieldCost::changed(std::span<const char> chosen,
       };
       if (changes[i].in != Change::kNobody) own[changes[i].in] = 1;
       if (changes[i].out != Change::kNobody) own[changes[i].out] = 0;
-      each_seen([&](std::size_t s) { hard(own, s, &values[s * count]); });
+      each_seen([&](std::size_t s) { hard(own, s, scratch, &values[s * count]); });
       costs[i] = total(values);
       each_seen([&](std::size_t s) {
         std::copy_n(&before[s * count], count, &values[s * count]);
@@ -405,8 +347,9 @@ bool FieldCost::tangent(std::span<const double> w, double sharpness, Tangent& ou
   std::vector<Sample> parts(samples_);
   std::vector<char> finite(kParts, 1);
   each_chunk([&](std::size_t c, std::size_t first, std::size_t end) {
+    Scratch scratch(*this);
     for (std::size_t s = first; s < end && finite[c]; ++s)
-      finite[c] = soft(w, sharpness, s, parts[s]);
+      finite[c] = soft(w, sharpness, s, scratch, parts[s]);
   });
   if (std::find(finite.begin(), finite.end(), 0) != finite.end()) return false;
 
@@ -449,8 +392,9 @@ bool FieldCost::tangent(std::span<const double> w, double sharpness, Tangent& ou
 
 std::size_t FieldCost::blind_sample(std::span<const double> w) {
   std::vector<double> values(terms_.size());
+  Scratch scratch(*this);
   for (std::size_t s = 0; s < samples_; ++s)
-    if (!hard(w, s, values.data())) return s;
+    if (!hard(w, s, scratch, values.data())) return s;
   return samples_;
 }
 

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "delos/layers/candidate_information.h"
 #include "delos/model/metric.h"
-#include "delos/steady/covariance_map.h"
+#include "delos/steady/steady_solver.h"
 #include "problem/search_samples.h"
 #include "selection/cost.h"
 
@@ -17,9 +18,9 @@ namespace delos {
 ///
 ///     f(w) = Σ_terms weight · mean or max_samples φ(P∞(S(w)))
 ///
-/// φ is the square of a metric that is a standard deviation: P_ii, a trace, the largest
-/// eigenvalue, or the Frobenius norm of a block. All are convex and rise with P, and P∞
-/// is convex and falls with S, which is linear in w: f is convex.
+/// φ is variance_value() of the metric: P_ii, a trace, the largest eigenvalue, or the
+/// Frobenius norm of a block. All are convex and rise with P, and P∞ is convex and
+/// falls with S, which is linear in w: f is convex.
 struct VarianceTerm {
   Metric metric;
   double weight = 1;
@@ -27,13 +28,12 @@ struct VarianceTerm {
   std::vector<double> samples;  ///< weights that sum to 1; maximum: of those above 0
 };
 
-/// Empty where the square of the metric, or the metric itself, is convex in P.
+/// Empty where φ of the metric is convex and rises with P.
 [[nodiscard]] std::string variance_problem(const Metric& metric);
-/// Whether the metric is the root of its variance.
-[[nodiscard]] bool is_deviation(const Metric& metric);
 
 class FieldCost final : public ChoiceCost {
  public:
+  /// @pre adjoint_problem() is empty
   FieldCost(const System& system, const CandidateScene& all, const Samples& samples,
             const Orientations& orientations, std::vector<VarianceTerm> terms,
             int threads);
@@ -57,18 +57,24 @@ class FieldCost final : public ChoiceCost {
 
  private:
   struct Sample;  // what one sample adds
-  void information(std::span<const double> w, std::size_t pose, StateMatrix& S) const;
+  struct Turn;
+  struct Scratch;
+  void add_information(std::span<const double> w, std::size_t pose, double share,
+                       SteadyEquation& at) const;
   /// Rows without noise. @param fractions whether open candidates have theirs
-  void exact_rows(std::span<const double> w, bool fractions, std::size_t pose,
-                  Eigen::MatrixXd& rows) const;
-  bool solve(std::span<const double> w, bool fractions, std::size_t pose,
-             CovarianceMap::Solution& out) const;
-  bool settles(const StateMatrix& S, const Eigen::MatrixXd& exact,
-               CovarianceMap::Solution& out) const;
+  void add_perfect_rows(std::span<const double> w, bool fractions, std::size_t pose,
+                        SteadyEquation& at) const;
+  /// @returns whether P∞ is finite
+  bool solve(std::span<const double> w, bool fractions, std::size_t sample,
+             std::size_t turn, Turn& out) const;
   [[nodiscard]] double total(const std::vector<double>& values) const;
-  bool hard(std::span<const double> w, std::size_t sample, double* values) const;
+  bool hard(std::span<const double> w, std::size_t sample, Scratch& scratch,
+            double* values) const;
   bool soft(std::span<const double> w, double sharpness, std::size_t sample,
-            Sample& out) const;
+            Scratch& scratch, Sample& out) const;
+  void soft_term(std::size_t term, double sharpness, Scratch& scratch,
+                 Sample& out) const;
+  void spread(const StateMatrix& G, std::size_t turn, std::vector<double>& slope) const;
   void accumulate(std::size_t sample, const Sample& part, std::span<const double> pull,
                   double* slope) const;
   template <class Body>
@@ -77,13 +83,17 @@ class FieldCost final : public ChoiceCost {
   StateLayout layout_;
   OrientationRule combine_;
   std::vector<VarianceTerm> terms_;
-  CovarianceMap map_;
+  CovarianceKind kind_;
+  std::unique_ptr<const SmoothSteadySolver> solver_;
+  SteadyRequest request_;
   CandidateInformation known_;
   mutable std::atomic<bool> unsettled_ = false;
   std::vector<std::size_t> whole_ones_;
   std::vector<char> excluded_;
   std::vector<std::vector<std::uint32_t>> seen_by_;  ///< samples that see a candidate
-  std::size_t size_, samples_, turns_, packed_;
+  std::size_t size_, samples_, turns_;
+  std::size_t solved_;  ///< turns that are solved: solved_turns()
+  std::size_t packed_;
   int threads_;
   /// Of each term and sample, the scale of its kinks: φ where everything is chosen.
   std::vector<std::vector<double>> scale_;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "delos/field/evaluate.h"
+#include "delos/model/metric_table.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
 #include "problem/guess.h"
@@ -87,7 +88,7 @@ Question question_of(const Scene& scene, PluginRegistry& plugins,
     throw std::invalid_argument(*problem);
   q.all = std::get<0>(std::move(all));
   q.system = build_system(q.all.scene, plugins);
-  const std::string problem = covariance_map_problem(q.system);
+  const std::string problem = adjoint_problem(q.system);
   if (!problem.empty()) throw std::invalid_argument(problem);
   q.samples = search_samples(scene, options.samples);
   q.terms = variance_terms(scene, q.system, q.samples);
@@ -112,7 +113,7 @@ Quantity quantity_of(const Question& q) {
   Quantity quantity;
   std::string sum;
   for (const VarianceTerm& term : q.terms) {
-    const bool root = is_deviation(term.metric);
+    const bool root = row_of(term.metric.kind).root;
     sum += (sum.empty() ? "" : " + ") +
            (term.weight == 1 ? std::string() : shortest(term.weight) + "·") +
            (term.maximum ? "maximum of " : "mean of ") + term.metric.name +

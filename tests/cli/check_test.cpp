@@ -149,8 +149,12 @@ TEST(CommandLine, IsRefusedWithTheReason) {
        "delos: --solver 'magic': choose auto, spectral, doubling or eigenvector\n"},
       {{"field", first, "--solver", "spectral", "--fusion", "periodic"},
        2,
-       "--solver spectral needs a position, position_velocity or "
-       "position_velocity_acceleration motion"},
+       "delos: the spectral solver needs a position, position_velocity or "
+       "position_velocity_acceleration motion, devices that measure the pose alone, "
+       "and stacked or continuous fusion; use --solver doubling\n"},
+      {{"field", first, "--solver", "doubling", "--fusion", "artemis"},
+       2,
+       "whose sum of Ψ matrices is no Riccati equation; use --solver eigenvector\n"},
       {{"field", first, "--set", "devices.s1.rate"},
        2,
        "delos: --set 'devices.s1.rate': write PATH=VALUE, for example "

@@ -1,6 +1,4 @@
 // Fusion at the level of systems: the modes, the paths and what no device sees.
-#include "delos/steady/fusion.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -223,17 +221,101 @@ TEST(Fusion, APerfectMeasurementIsSolvedByTheGeneralPath) {
   EXPECT_NEAR(pinned.prior(0, 0), state_at(rest, {}).prior(0, 0), 1e-12);
 }
 
+// Adjoints of all ways to a smooth P∞, against central differences in S: reduced,
+// general (a gyroscope's rows), and with a direction pinned by a row without noise.
+TEST(Fusion, AdjointsAreCentralDifferences) {
+  System general = testing::acoustic_system();
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(3, 18);
+  H.middleCols(6, 3).setIdentity();
+  general.devices.push_back(testing::place(
+      "speed",
+      std::make_shared<TestLinear>(Span::motion, H, Eigen::Matrix3d::Identity()),
+      Pose{}, 50));
+  System continuous = testing::acoustic_system();
+  continuous.fusion = Fusion::continuous;
+  struct Way {
+    System system;
+    bool pinned;
+  };
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (Way way :
+       {Way{testing::acoustic_system(), false}, Way{testing::acoustic_system(), true},
+        Way{general, false}, Way{continuous, false}, Way{continuous, true}}) {
+    for (const CovarianceKind kind :
+         {CovarianceKind::prior, CovarianceKind::posterior}) {
+      way.system.covariance = kind;
+      ASSERT_EQ(adjoint_problem(way.system), "");
+      const auto solver = make_smooth_steady_solver(way.system);
+      const int c = information_size(way.system), n = 6;
+      const auto random_symmetric = [&](int size) {
+        StateMatrix X(size, size);
+        for (double& x : X.reshaped()) x = normal(random);
+        return StateMatrix(X + X.transpose());
+      };
+      const StateMatrix X = random_symmetric(c), Y = random_symmetric(n),
+                        D = random_symmetric(c);
+      const StateMatrix S = 100 * (X * X.transpose() + StateMatrix::Identity(c, c));
+      SteadyEquation at = solver->equation();
+      FusedState state;
+      const auto solved = [&](const StateMatrix& information) {
+        double packed[packed_index(kMaxState, 0)];
+        for (int i = 0; i < c; ++i)
+          for (int j = 0; j <= i; ++j) packed[packed_index(i, j)] = information(i, j);
+        at.clear();
+        at.add(0, packed);
+        if (way.pinned) at.add_perfect(0, Eigen::Vector3d(1, 2, -1));
+        solver->solve(at, {}, state);
+        EXPECT_EQ(state.status, RiccatiStatus::converged);
+        return state.covariance(kind).cwiseProduct(Y).sum();
+      };
+      constexpr double kStep = 0.01;
+      const double difference =
+          (solved(S + kStep * D) - solved(S - kStep * D)) / (2 * kStep);
+      solved(S);
+      const StateMatrix G = solver->adjoint(at, Y);
+      ASSERT_EQ(G.rows(), c);
+      EXPECT_NEAR(G.cwiseProduct(D).sum(), difference, 1e-5 * G.norm() * D.norm());
+      EXPECT_GT(G.norm(), 0);
+    }
+  }
+}
+
+TEST(Fusion, SaysWhatItsCovariancesAre) {
+  System system = testing::acoustic_system();
+  for (const auto& [fusion, of] :
+       {std::pair{Fusion::stacked, CovarianceOf::every_update},
+        std::pair{Fusion::continuous, CovarianceOf::all_times},
+        std::pair{Fusion::periodic, CovarianceOf::time_average},
+        std::pair{Fusion::sequential, CovarianceOf::turn_average},
+        std::pair{Fusion::artemis, CovarianceOf::summed_psi}}) {
+    system.fusion = fusion;
+    EXPECT_EQ(state_at(system, {}).of, of);
+    EXPECT_EQ(adjoint_problem(system).empty(),
+              fusion == Fusion::stacked || fusion == Fusion::continuous);
+  }
+}
+
 TEST(Fusion, ASolverThatCannotDoTheSystemSaysWhatWould) {
   System system = testing::acoustic_system();
   system.fusion = Fusion::artemis;
-  EXPECT_THROW(FusionSolver(system, Solver::spectral), std::invalid_argument);
-  EXPECT_THROW(FusionSolver(system, Solver::doubling), std::invalid_argument);
-  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::eigenvector);
+  try {
+    (void)make_steady_solver(system, Solver::doubling);
+    FAIL();
+  } catch (const UnsuitableSolver& error) {
+    EXPECT_EQ(error.instead(), Solver::eigenvector);
+    EXPECT_STREQ(error.what(),
+                 "the doubling solver can't do artemis fusion, whose sum of Ψ matrices "
+                 "is no Riccati equation; the eigenvector solver can");
+  }
+  EXPECT_THROW((void)make_steady_solver(system, Solver::spectral), UnsuitableSolver);
+  EXPECT_THROW((void)make_steady_solver(system, Solver::doubling), UnsuitableSolver);
+  EXPECT_EQ(make_steady_solver(system)->solver(), Solver::eigenvector);
   system.fusion = Fusion::continuous;
-  EXPECT_THROW(FusionSolver(system, Solver::eigenvector), std::invalid_argument);
-  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::spectral);
+  EXPECT_THROW((void)make_steady_solver(system, Solver::eigenvector), UnsuitableSolver);
+  EXPECT_EQ(make_steady_solver(system)->solver(), Solver::spectral);
   system.fusion = Fusion::periodic;
-  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::doubling);
+  EXPECT_EQ(make_steady_solver(system)->solver(), Solver::doubling);
 }
 
 // A gyroscope measures ω, not the pose: the general path takes over, and improves the
@@ -274,7 +356,7 @@ TEST(Fusion, DerivativeMeasurementsTakeTheGeneralPath) {
       std::make_shared<TestLinear>(Span::motion, H, 1e-4 * Eigen::Matrix3d::Identity()),
       {rotation_from_rpy({0.3, 0.2, 0.1}), {0, 0, 0}}, 50));
   EXPECT_EQ(information_size(system), 6);
-  EXPECT_EQ(FusionSolver(system, Solver::automatic).solver(), Solver::doubling);
+  EXPECT_EQ(make_steady_solver(system)->solver(), Solver::doubling);
   const FusedState with = state_at(system, {});
   ASSERT_EQ(with.status, RiccatiStatus::converged);
   EXPECT_GE(smallest_eigenvalue(without.prior - with.prior), -1e-12);

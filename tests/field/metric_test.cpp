@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "steady/metric_value.h"
+#include "steady/state_metric.h"
 
 namespace delos {
 namespace {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "delos/field/evaluate.h"
+#include "delos/model/metric_table.h"
 #include "selection/branch_and_bound.h"
 #include "selection/field_cost.h"
 
@@ -255,8 +256,8 @@ double ordinary_cost(const Instance& instance, std::uint32_t chosen) {
                                        term.metric, {.threads = 1});
     double of_term = 0;
     for (std::size_t s = 0; s < field.value.size(); ++s) {
-      const double v =
-          is_deviation(term.metric) ? field.value[s] * field.value[s] : field.value[s];
+      const double v = row_of(term.metric.kind).root ? field.value[s] * field.value[s]
+                                                     : field.value[s];
       of_term = term.maximum ? std::max(of_term, v) : of_term + term.samples[s] * v;
     }
     total += term.weight * of_term;

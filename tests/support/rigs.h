@@ -11,6 +11,7 @@
 #include "delos/device/range_device.h"
 #include "delos/field/evaluate.h"
 #include "delos/rig/system.h"
+#include "delos/steady/steady_solver.h"
 
 namespace delos::testing {
 
@@ -112,11 +113,12 @@ inline Samples points(std::vector<Eigen::Vector3d> list) {
 inline FusedState state_at(const System& system, const TargetPose& pose,
                            Solver solver = Solver::automatic) {
   const InformationLayers layers(system, {pose}, {.threads = 1});
-  const FusionSolver fusion(system, solver);
-  FusionSolver::Scratch scratch = fusion.make_scratch();
+  const auto fusion = make_steady_solver(system, solver);
+  SteadyEquation equation = fusion->equation();
   LayerBlock empty;
   FusedState state;
-  fusion.solve(layers.block(0, empty), 0, pose, true, scratch, state);
+  fusion->read(layers.block(0, empty), 0, pose, equation);
+  fusion->solve(equation, {.time_constant = true}, state);
   return state;
 }
 

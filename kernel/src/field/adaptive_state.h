@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <vector>
 
 #include "delos/field/adaptive.h"
@@ -40,7 +41,7 @@ struct AdaptiveField::State {
   [[nodiscard]] Field node_field() const;
   [[nodiscard]] double held_back_error();
   [[nodiscard]] PlaceEvaluator evaluator() const {
-    return {solver, system, metric, orientations.combine, turns.size()};
+    return {*solver, system, metric, orientations.combine, turns.size()};
   }
 
   const System system;
@@ -50,7 +51,7 @@ struct AdaptiveField::State {
   const Metric metric;
   const AdaptiveOptions options;
   const int threads;
-  const FusionSolver solver;
+  const std::unique_ptr<const SteadySolver> solver;
   const Sightings sightings;
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 

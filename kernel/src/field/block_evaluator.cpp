@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delos/model/infinity.h"
+#include "delos/steady/combine.h"
+#include "layers/block.h"
+#include "steady/chain_reduction.h"
+
 namespace delos {
 namespace {
 
@@ -14,28 +19,29 @@ double coverage(const LayerBlock& block, int lane) {
 
 }  // namespace
 
-BlockEvaluator::BlockEvaluator(const FusionSolver& solver, const System& system,
+BlockEvaluator::BlockEvaluator(const SteadySolver& solver, const System& system,
                                const Metric& metric)
     : solver_(solver),
       system_(system),
       metric_(metric),
       need_(need_of(metric, system.motion.layout)),
-      scratch_(solver.make_scratch()),
+      request_(request_for(system, {&metric, 1})),
+      equation_(solver.equation()),
       P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {}
 
 void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses,
                                 PoseValue* values) {
-  const bool in_lanes =
-      solver_.solver() == Solver::spectral && need_ <= MetricNeed::pose_block;
+  const ChainReduction* reduction = solver_.reduction();
+  const bool in_lanes = reduction && need_ <= MetricNeed::pose_block;
   if (in_lanes) {
-    solver_.pose_covariances(block, system_.covariance, P_.data(), lost_);
+    reduction->pose_covariances(block, P_.data(), lost_);
     if (need_ == MetricNeed::pose_block) {
-      pose_metrics(metric_, system_.motion.layout, P_.data(), value_);
+      metric_values(metric_, system_.motion.layout, P_.data(), value_);
     }
   }
   for (int lane = 0; lane < block.lanes; ++lane) {
     // The rest of a pose that has lost directions needs more care.
-    const bool done = in_lanes && solver_.spectral(block, lane) &&
+    const bool done = in_lanes && !has_perfect_rows(block, lane) &&
                       (lost_[lane] == 0 || need_ == MetricNeed::nothing);
     values[lane] = done ? PoseValue{value_[lane], lost_[lane] == 0, lost_[lane]}
                         : solved_value(block, lane, poses[lane]);
@@ -45,34 +51,28 @@ void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses
 
 PoseValue BlockEvaluator::solved_value(const LayerBlock& block, int lane,
                                        const TargetPose& pose) {
-  solver_.solve(block, lane, pose, need_ == MetricNeed::time_constant, scratch_,
-                state_);
-  const double value =
-      state_metric(metric_, system_.motion.layout, state_, system_.covariance);
+  solver_.read(block, lane, pose, equation_);
+  solver_.solve(equation_, request_, state_);
+  double value = kInfinity;
+  if (need_ != MetricNeed::nothing)
+    value = state_metric(metric_, system_.motion.layout, state_, system_.covariance);
   // A lost direction of the pose is lost with its derivatives.
   const int order = system_.motion.layout.order;
   const auto lost = static_cast<int>(state_.unobservable.cols());
-  return {std::isfinite(value) ? value : std::numeric_limits<double>::infinity(),
+  return {std::isfinite(value) ? value : kInfinity,
           state_.status == RiccatiStatus::converged, (lost + order - 1) / order};
 }
 
 PoseValue combined(const PoseValue* values, std::size_t turns, OrientationRule rule,
                    bool larger_is_better) {
   PoseValue all = values[0];
-  double sum = 0;
-  for (std::size_t t = 0; t < turns; ++t) {
-    const PoseValue& at = values[t];
-    all.observable = all.observable && at.observable;
-    all.lost = std::max(all.lost, at.lost);
-    sum += at.value;
-    // A blind orientation, +∞, is the worst of any metric.
-    const bool worse =
-        std::isinf(at.value) ||
-        (!std::isinf(all.value) &&
-         (larger_is_better ? at.value < all.value : at.value > all.value));
-    if (worse) all.value = at.value;
+  for (std::size_t t = 1; t < turns; ++t) {
+    all.observable = all.observable && values[t].observable;
+    all.lost = std::max(all.lost, values[t].lost);
   }
-  if (rule == OrientationRule::mean) all.value = sum / static_cast<double>(turns);
+  all.value = combine(rule, turns, larger_is_better, [values](std::size_t t) {
+                return values[t].value;
+              }).value;
   return all;
 }
 

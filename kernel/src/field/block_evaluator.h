@@ -4,7 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "steady/metric_value.h"
+#include "delos/steady/steady_solver.h"
+#include "steady/state_metric.h"
 
 namespace delos {
 
@@ -19,7 +20,7 @@ struct PoseValue {
 class BlockEvaluator {
  public:
   /// What is passed is kept by reference.
-  BlockEvaluator(const FusionSolver& solver, const System& system,
+  BlockEvaluator(const SteadySolver& solver, const System& system,
                  const Metric& metric);
 
   /// @param poses, values block.lanes each
@@ -28,11 +29,12 @@ class BlockEvaluator {
  private:
   PoseValue solved_value(const LayerBlock& block, int lane, const TargetPose& pose);
 
-  const FusionSolver& solver_;
+  const SteadySolver& solver_;
   const System& system_;
   const Metric& metric_;
   MetricNeed need_;
-  FusionSolver::Scratch scratch_;
+  SteadyRequest request_;
+  SteadyEquation equation_;
   std::vector<double> P_;
   double value_[kLanes] = {};
   int lost_[kLanes] = {};

@@ -47,7 +47,7 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
   if (const std::string problem = metric_problem(system, metric); !problem.empty()) {
     throw std::invalid_argument(problem);
   }
-  const FusionSolver solver(system, options.solver);
+  const auto solver = make_steady_solver(system, options.solver);
   const std::size_t turns = orientations.rpy.size();
   const std::size_t points = samples.points.size();
   const std::size_t chunks = (points + kLanes - 1) / kLanes;
@@ -60,7 +60,7 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
   field.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
 #pragma omp parallel num_threads(field.threads)
   {
-    PlaceEvaluator evaluate(solver, system, metric, orientations.combine, turns);
+    PlaceEvaluator evaluate(*solver, system, metric, orientations.combine, turns);
     LayerBlock scratch;
 #pragma omp for schedule(dynamic)
     for (std::size_t c = 0; c < chunks; ++c) {

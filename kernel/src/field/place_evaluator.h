@@ -13,7 +13,7 @@ namespace delos {
 class PlaceEvaluator {
  public:
   /// What is passed is kept by reference.
-  PlaceEvaluator(const FusionSolver& solver, const System& system, const Metric& metric,
+  PlaceEvaluator(const SteadySolver& solver, const System& system, const Metric& metric,
                  OrientationRule rule, std::size_t turns)
       : evaluate_(solver, system, metric),
         rule_(rule),

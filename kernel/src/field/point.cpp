@@ -4,8 +4,11 @@
 #include <limits>
 
 #include "delos/model/infinity.h"
+#include "delos/steady/steady_solver.h"
+#include "layers/block.h"
 #include "rig/sight.h"
-#include "steady/metric_value.h"
+#include "steady/chain_reduction.h"
+#include "steady/state_metric.h"
 
 namespace delos {
 namespace {
@@ -46,12 +49,13 @@ double value_without(System system, std::size_t device, const TargetPose& pose,
   system.devices.erase(system.devices.begin() + static_cast<std::ptrdiff_t>(device));
   if (system.devices.empty()) return kInfinity;
   const InformationLayers layers(system, {pose}, {.threads = 1});
-  const FusionSolver fusion(system, solver);
-  FusionSolver::Scratch scratch = fusion.make_scratch();
+  const auto fusion = make_steady_solver(system, solver);
+  SteadyEquation equation = fusion->equation();
   LayerBlock empty;
   const LayerBlock& block = layers.block(0, empty);
   FusedState state;
-  fusion.solve(block, 0, pose, metric.kind == MetricKind::latency, scratch, state);
+  fusion->read(block, 0, pose, equation);
+  fusion->solve(equation, request_for(system, {&metric, 1}), state);
   return value_of(metric, system, state, block);
 }
 
@@ -70,20 +74,22 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
   report.pose = pose;
   report.inside = inside_solid(system, pose.p);
   const InformationLayers layers(system, {pose}, {.threads = 1});
-  const FusionSolver fusion(system, solver);
-  FusionSolver::Scratch scratch = fusion.make_scratch();
+  const auto fusion = make_steady_solver(system, solver);
+  SteadyEquation equation = fusion->equation();
   LayerBlock empty;
   const LayerBlock& block = layers.block(0, empty);
+  const SteadyRequest everything{.time_constant = true};
+  fusion->read(block, 0, pose, equation);
 
-  report.careful = fusion.spectral(block, 0);
-  report.solver = report.careful                        ? Solver::spectral
-                  : fusion.solver() == Solver::spectral ? Solver::doubling
-                                                        : fusion.solver();
+  report.careful = fusion->reduction() && !has_perfect_rows(block, 0);
+  report.solver =
+      fusion->reduction() && !report.careful ? Solver::doubling : fusion->solver();
   if (report.careful) {
     const Eigen::MatrixXd rows = weighted_rows(system, whitened_rows(system, pose));
-    fusion.solve_rows(rows, true, report.state);
+    const ChainReduction& reduction = *fusion->reduction();
+    reduction.solve(spectral_form_of_rows(reduction.L, rows), everything, report.state);
   } else {
-    fusion.solve(block, 0, pose, true, scratch, report.state);
+    fusion->solve(equation, everything, report.state);
   }
 
   for (const std::string& name : metric_names(system.motion.layout)) {
@@ -92,9 +98,10 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
   }
 
   report.residual = std::numeric_limits<double>::quiet_NaN();
-  if (system.fusion == Fusion::stacked &&
+  if (system.fusion == Fusion::stacked && !has_perfect_rows(block, 0) &&
       report.state.status == RiccatiStatus::converged) {
-    report.residual = fusion.residual(block, 0, report.state);
+    const auto& [motion, measurement] = equation.steps.front();
+    report.residual = riccati_residual(motion, measurement, report.state.prior);
   }
 
   const double with = value_of(metric, system, report.state, block);

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delos/steady/combine.h"
 #include "field/soft_field_state.h"
 
 namespace delos {
 namespace {
+
+constexpr int kMostPacked = packed_index(kMaxState, 0);
 
 void pack(const StateMatrix& S, double* packed) {
   for (int i = 0; i < S.rows(); ++i)
@@ -77,19 +80,18 @@ void SoftField::State::sum_layers(const std::vector<double>& layers,
 }
 
 void SoftField::State::mean_information(std::size_t point, std::size_t of_case,
-                                        StateMatrix& S) const {
-  S.setZero(columns, columns);
-  StateMatrix of_turn;
+                                        double* S) const {
+  std::fill_n(S, packed(), 0.0);
   for (std::size_t t = 0; t < turns.size(); ++t) {
-    unpack(&information[offset(point, t, of_case)], columns, of_turn);
-    S += of_turn / static_cast<double>(turns.size());
+    const double* of_turn = &information[offset(point, t, of_case)];
+    for (std::size_t e = 0; e < packed(); ++e)
+      S[e] += of_turn[e] / static_cast<double>(turns.size());
   }
 }
 
 void SoftField::State::evaluate_point(const SoftInformation& soft,
                                       const MetricSlope& metric, std::size_t point,
                                       SoftScratch& scratch) {
-  StateMatrix& S = scratch.S;
   const std::size_t of_case = turns.size() * metrics.size();  // values of a case
   for (std::size_t t = 0; t < turns.size(); ++t) {
     if (!failing.empty()) observe_layers(soft, point, t, scratch);
@@ -97,20 +99,21 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
       double* out = &information[offset(point, t, c)];
       if (failing.empty()) {
         observe(soft, point, t, scratch);
-        pack(S, out);
+        pack(scratch.S, out);
       } else {
         sum_layers(scratch.layers, c, out);
-        unpack(out, columns, S);
       }
       if (!by_information())
-        metric.values(S, &scratch.of_turns[c * of_case + t * metrics.size()]);
+        metric.values(out, scratch.steady,
+                      &scratch.of_turns[c * of_case + t * metrics.size()]);
     }
   }
   for (std::size_t c = 0; c < cases(); ++c) {
     double* of_turns = &scratch.of_turns[c * of_case];
     if (by_information()) {
+      double S[kMostPacked];
       mean_information(point, c, S);
-      metric.values(S, of_turns);
+      metric.values(S, scratch.steady, of_turns);
     }
     combine(point, c, of_turns);
   }
@@ -118,36 +121,28 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
 
 void SoftField::State::combine(std::size_t point, std::size_t of_case,
                                const double* of_turns) {
-  const std::size_t count = by_information() ? 1 : turns.size();
+  const OrientationRule rule = orientations.combine;
   for (std::size_t m = 0; m < metrics.size(); ++m) {
-    const auto at = [&](std::size_t t) { return of_turns[t * metrics.size() + m]; };
-    std::size_t worst = 0;
-    double sum = at(0);
-    for (std::size_t t = 1; t < count; ++t) {
-      const bool worse =
-          std::isinf(at(t)) ||
-          (!std::isinf(at(worst)) &&
-           (metrics[m].larger_is_better ? at(t) < at(worst) : at(t) > at(worst)));
-      if (worse) worst = t;
-      sum += at(t);
-    }
-    chosen_turn(of_case, m, point) = static_cast<unsigned char>(worst);
-    values[of_case][m][point] = orientations.combine == OrientationRule::mean
-                                    ? sum / static_cast<double>(count)
-                                    : at(worst);
+    const CombinedValue all = delos::combine(
+        rule, solved_turns(rule, turns.size()), metrics[m].larger_is_better,
+        [&](std::size_t t) { return of_turns[t * metrics.size() + m]; });
+    chosen_turn(of_case, m, point) = static_cast<unsigned char>(all.worst);
+    values[of_case][m][point] = all.value;
   }
 }
 
 void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
                                    std::size_t of_case, const FieldValues& slopes,
+                                   MetricSlope::Scratch& steady,
                                    std::vector<double>& weights) {
-  StateMatrix S, G;
+  StateMatrix G;
   const double share = 1 / static_cast<double>(turns.size());
   if (by_information()) {
     for (std::size_t m = 0; m < metrics.size(); ++m)
       weights[m] = slopes[m][point] * share;
+    double S[kMostPacked];
     mean_information(point, of_case, S);
-    metric.slope(S, weights.data(), G);
+    metric.slope(S, weights.data(), steady, G);
     for (std::size_t t = 0; t < turns.size(); ++t)
       pack(G, &adjoint[offset(point, t, of_case)]);
     return;
@@ -163,8 +158,7 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
       std::fill_n(out, packed(), 0.0);
       continue;
     }
-    unpack(&information[offset(point, t, of_case)], columns, S);
-    metric.slope(S, weights.data(), G);
+    metric.slope(&information[offset(point, t, of_case)], weights.data(), steady, G);
     pack(G, out);
   }
 }

@@ -27,7 +27,7 @@ const FieldValues& SoftField::evaluate(const System& system, double width,
   const SoftInformation soft(s.system, *s.occluders, width);
   const MetricSlope metric(s.system, s.metrics);
   s.each_chunk([&](std::size_t c) {
-    SoftScratch scratch(s.system.devices.size() * s.packed(),
+    SoftScratch scratch(metric, s.system.devices.size() * s.packed(),
                         s.cases() * s.turns.size() * s.metrics.size());
     s.each_point(c, [&](std::size_t p) { s.evaluate_point(soft, metric, p, scratch); });
   });
@@ -45,11 +45,12 @@ void SoftField::adjoin(const FieldValues& slopes,
   s.adjoint.assign(s.information.size(), 0.0);
   const MetricSlope metric(s.system, s.metrics);
   s.each_chunk([&](std::size_t c) {
+    MetricSlope::Scratch steady = metric.make_scratch();
     std::vector<double> weights(s.metrics.size());
     s.each_point(c, [&](std::size_t p) {
-      s.adjoin_case(metric, p, 0, slopes, weights);
+      s.adjoin_case(metric, p, 0, slopes, steady, weights);
       for (std::size_t k = 0; k < of_failures.size(); ++k)
-        s.adjoin_case(metric, p, k + 1, of_failures[k], weights);
+        s.adjoin_case(metric, p, k + 1, of_failures[k], steady, weights);
       if (!of_failures.empty()) s.sum_adjoints(p);
     });
   });

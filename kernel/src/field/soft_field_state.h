@@ -21,10 +21,12 @@ inline constexpr std::size_t kChunk = 32;
 
 /// What one thread works with, made once.
 struct SoftScratch {
-  SoftScratch(std::size_t layer_numbers, std::size_t turn_values)
-      : layers(layer_numbers), of_turns(turn_values) {}
+  SoftScratch(const MetricSlope& metric, std::size_t layer_numbers,
+              std::size_t turn_values)
+      : steady(metric.make_scratch()), layers(layer_numbers), of_turns(turn_values) {}
 
   MeasureScratch measure;
+  MetricSlope::Scratch steady;
   StateMatrix S;
   std::vector<double> layers;    // devices × packed: what each knows, weighted
   std::vector<double> of_turns;  // cases × turns × metrics
@@ -102,9 +104,10 @@ struct SoftField::State {
   void evaluate_point(const SoftInformation& soft, const MetricSlope& metric,
                       std::size_t point, SoftScratch& scratch);
   void combine(std::size_t point, std::size_t of_case, const double* of_turns);
-  void mean_information(std::size_t point, std::size_t of_case, StateMatrix& S) const;
+  void mean_information(std::size_t point, std::size_t of_case, double* S) const;
   void adjoin_case(const MetricSlope& metric, std::size_t point, std::size_t of_case,
-                   const FieldValues& slopes, std::vector<double>& weights);
+                   const FieldValues& slopes, MetricSlope::Scratch& steady,
+                   std::vector<double>& weights);
   void sum_adjoints(std::size_t point);
   bool adjoint_of(std::size_t point, std::size_t turn, std::size_t device,
                   StateMatrix& G) const;

@@ -2,6 +2,7 @@
 // sums.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,6 +25,12 @@ struct LayerShape {
   std::vector<double>
       weights;  ///< one a device: 1, or 1/period for a rate of information
 };
+
+/// Whether a lane of a block has rows that are measured without noise.
+[[nodiscard]] inline bool has_perfect_rows(const LayerBlock& block, int lane) {
+  return std::any_of(block.perfect.begin(), block.perfect.end(),
+                     [lane](std::uint64_t lanes) { return lanes >> lane & 1; });
+}
 
 /// Devices are summed in groups of this many.
 inline constexpr std::size_t kGroup = 8;

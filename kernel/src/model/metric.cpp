@@ -3,31 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "delos/model/metric_table.h"
+
 namespace delos {
 namespace {
 
-struct NamedKind {
-  const char* name;
-  MetricKind kind;
-  bool larger_is_better;
-};
-
-constexpr NamedKind kKinds[] = {
-    {"sigma_position", MetricKind::sigma_position, false},
-    {"sigma_orientation", MetricKind::sigma_orientation, false},
-    {"eigmax", MetricKind::eigmax, false},
-    {"eiglen", MetricKind::eiglen, false},
-    {"mle", MetricKind::mle, true},
-    {"trace", MetricKind::trace, false},
-    {"det", MetricKind::det, false},
-    {"coverage", MetricKind::coverage, true},
-    {"latency", MetricKind::latency, false},
-};
-
-bool has(const StateLayout& layout, MetricKind kind) {
-  if (kind == MetricKind::sigma_position) return layout.pose != PoseState::orientation;
-  if (kind == MetricKind::sigma_orientation) return layout.pose != PoseState::position;
-  return true;
+bool has(const StateLayout& layout, MetricReads reads) {
+  if (reads == MetricReads::position) return layout.pose != PoseState::orientation;
+  if (reads == MetricReads::orientation) return layout.pose != PoseState::position;
+  return reads != MetricReads::one_state;  // named by their states
 }
 
 /// "m^-6 s^3": the inverse of the product of all states' units.
@@ -48,45 +32,30 @@ std::string likelihood_unit(const StateLayout& layout) {
   return text.empty() ? "1" : text;
 }
 
-std::string unit_of(MetricKind kind, const StateLayout& layout) {
-  const std::string block = layout.pose == PoseState::orientation ? "rad" : "m";
-  switch (kind) {
-    case MetricKind::sigma:
-    case MetricKind::coverage:
-      break;
-    case MetricKind::sigma_position:
-      return "m";
-    case MetricKind::sigma_orientation:
-      return "rad";
-    case MetricKind::eigmax:
-    case MetricKind::eiglen:
-      return block;
-    case MetricKind::mle:
-      return likelihood_unit(layout);
-    case MetricKind::trace:
-      return block + "^2";
-    case MetricKind::det:
-      return block + "^6";
-    case MetricKind::latency:
-      return "s";
-  }
-  return "1";
+std::string unit_of(const MetricRow& row, const StateLayout& layout) {
+  if (row.kind == MetricKind::mle) return likelihood_unit(layout);
+  if (row.reads == MetricReads::devices) return "1";
+  if (row.reads == MetricReads::closed_loop) return "s";
+  const bool turns = row.reads == MetricReads::orientation ||
+                     (row.reads == MetricReads::block && layout.positions() == 0);
+  const std::string unit = turns ? "rad" : "m";
+  return row.power == 1 ? unit : unit + "^" + std::to_string(row.power);
 }
 
 }  // namespace
 
 std::variant<Metric, std::string> parse_metric(std::string_view name,
                                                const StateLayout& layout) {
-  for (const NamedKind& k : kKinds) {
-    if (name != k.name || !has(layout, k.kind)) continue;
-    return Metric{k.kind, 0, std::string(name), unit_of(k.kind, layout),
-                  k.larger_is_better};
+  for (const MetricRow& row : metric_table()) {
+    if (name != row.name || !has(layout, row.reads)) continue;
+    return Metric{row.kind, 0, std::string(name), unit_of(row, layout),
+                  row.larger_is_better};
   }
   const std::vector<std::string> states = layout.names(), units = layout.units();
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (name == "sigma_" + states[i]) {
+    if (name == row_of(MetricKind::sigma).name + states[i]) {
       return Metric{MetricKind::sigma, static_cast<int>(i), std::string(name), units[i],
-                    false};
+                    row_of(MetricKind::sigma).larger_is_better};
     }
   }
   std::string message = "unknown metric '" + std::string(name) + "'; this state has";
@@ -96,9 +65,10 @@ std::variant<Metric, std::string> parse_metric(std::string_view name,
 
 std::vector<std::string> metric_names(const StateLayout& layout) {
   std::vector<std::string> names;
-  for (const std::string& state : layout.names()) names.push_back("sigma_" + state);
-  for (const NamedKind& k : kKinds) {
-    if (has(layout, k.kind)) names.emplace_back(k.name);
+  for (const std::string& state : layout.names())
+    names.push_back(row_of(MetricKind::sigma).name + state);
+  for (const MetricRow& row : metric_table()) {
+    if (has(layout, row.reads)) names.emplace_back(row.name);
   }
   return names;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "delos/model/state.h"
-#include "riccati/epsilon.h"
+#include "model/epsilon.h"
 
 namespace delos::riccati {
 

@@ -1,10 +1,10 @@
 // The exact spectral reduction: forms and covariances.
 #include "delos/riccati/spectral.h"
 
+#include "model/jacobi.h"
 #include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
-#include "riccati/jacobi.h"
 
 namespace delos {
 namespace {
@@ -17,7 +17,7 @@ template <int kSize>
 SpectralForm reduce(const CoordinateMatrix& L, const CoordinateMatrix& S) {
   const auto factor = fixed<kSize>(L);
   const Square<kSize> M = factor.transpose() * (fixed<kSize>(S) * factor).eval();
-  const auto eigen = riccati::jacobi_eigen<kSize>(M);
+  const auto eigen = jacobi_eigen<kSize>(M);
 
   SpectralForm form;
   form.lambda = eigen.lambda;

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "delos/riccati/spectral.h"
+#include "model/epsilon.h"
+#include "model/jacobi.h"
 #include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
-#include "riccati/epsilon.h"
-#include "riccati/jacobi.h"
 
 namespace delos {
 namespace {
@@ -51,8 +51,7 @@ void form(const CoordinateMatrix& L, const double* S, Lanes<kSize>& at) {
   for (int i = 0; i < kSize; ++i) {
     const double* m = at.m(i, i);
     for (int l = 0; l < kLanes; ++l) {
-      at.floor[l] =
-          std::max(at.floor[l], riccati::kEps * riccati::kEps * std::abs(m[l]));
+      at.floor[l] = std::max(at.floor[l], kEps * kEps * std::abs(m[l]));
     }
   }
 }
@@ -65,8 +64,8 @@ bool rotate(Lanes<kSize>& at) {
   double c[kLanes], s[kLanes], turned[kLanes];
   for (int l = 0; l < kLanes; ++l) {
     const double x = mpq[l], mp = mpp[l], mq = mqq[l];
-    const bool needed = (x * x > riccati::kEps * riccati::kEps * std::abs(mp * mq)) &
-                        (std::abs(x) > at.floor[l]);
+    const bool needed =
+        (x * x > kEps * kEps * std::abs(mp * mq)) & (std::abs(x) > at.floor[l]);
     const double h = mq - mp, y = 2 * x;
     const double u = h + std::copysign(std::sqrt(h * h + y * y), h);
     const double t = needed ? y / u : 0.0;
@@ -95,8 +94,8 @@ bool rotate(Lanes<kSize>& at) {
 
 template <int kSize>
 void diagonalize(Lanes<kSize>& at) {
-  constexpr static auto kOrder = riccati::rotation_order<kSize>();
-  for (int sweep = 0; sweep < riccati::kMaxSweeps; ++sweep) {
+  constexpr static auto kOrder = rotation_order<kSize>();
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     const int rotations = [&]<std::size_t... i>(std::index_sequence<i...>) {
       return (0 + ... + rotate<kOrder[i].first, kOrder[i].second>(at));
     }

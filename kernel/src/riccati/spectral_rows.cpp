@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "delos/riccati/spectral.h"
+#include "model/epsilon.h"
+#include "model/jacobi.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
-#include "riccati/epsilon.h"
-#include "riccati/jacobi.h"
 
 namespace delos {
 namespace {
@@ -20,7 +20,7 @@ void orthogonalise_columns(riccati::Square<kSize>& X) {
       for (int q = p + 1; q < kSize; ++q) {
         const double x = X.col(p).dot(X.col(q));
         const double mp = X.col(p).squaredNorm(), mq = X.col(q).squaredNorm();
-        if (x == 0 || x * x <= 4 * riccati::kEps * riccati::kEps * mp * mq) continue;
+        if (x == 0 || x * x <= 4 * kEps * kEps * mp * mq) continue;
         ++rotations;
         const double h = mq - mp;
         const double t = 2 * x / (h + std::copysign(std::hypot(h, 2 * x), h));
@@ -65,10 +65,10 @@ SpectralForm reduce_rows(const CoordinateMatrix& L,
       qr.matrixQR().topRows(kSize).transpose().template triangularView<Eigen::Lower>();
   orthogonalise_columns<kSize>(X);
 
-  riccati::JacobiResult<kSize> r;
+  JacobiResult<kSize> r;
   r.lambda = X.colwise().norm().transpose();  // singular values until they are squared
   r.U = X;
-  riccati::sort_ascending(r);
+  sort_ascending(r);
 
   SpectralForm form;
   const double least = riccati::kLeastEigenvalue<kSize> * r.lambda[kSize - 1];

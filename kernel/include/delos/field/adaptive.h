@@ -84,7 +84,7 @@ class DELOS_API AdaptiveField {
 /// A leaf is too coarse where its parent interpolated the metric badly at its corners,
 /// or where the edge of a shadow that matters may cross it. The result doesn't depend
 /// on the number of threads. Cancelled, it is the field of the levels before.
-/// @throws std::invalid_argument as FusionSolver
+/// @throws std::invalid_argument as make_steady_solver()
 [[nodiscard]] DELOS_API AdaptiveField
 evaluate_adaptive(const System& system, const AdaptiveSampling& sampling,
                   const Orientations& orientations, const Metric& metric,

@@ -12,7 +12,7 @@
 #include "delos/rig/system.h"
 #include "delos/sampling/samples.h"
 #include "delos/scene/scene.h"
-#include "delos/steady/fusion.h"
+#include "delos/steady/solver.h"
 
 namespace delos {
 
@@ -41,8 +41,8 @@ struct FieldOptions {
 /// Each block of 64 poses is worked out by itself, so the bytes of the answer don't
 /// depend on the number of threads.
 /// @pre layers.poses() came from field_poses() of the same samples and orientations
-/// @throws std::invalid_argument as FusionSolver; or latency under artemis fusion,
-/// which
+/// @throws std::invalid_argument as make_steady_solver(); or latency under artemis
+/// fusion, which
 ///         has no closed loop.
 [[nodiscard]] DELOS_API Field evaluate_field(const InformationLayers& layers,
                                              const Samples& samples,

@@ -9,7 +9,8 @@
 #include "delos/api.h"
 #include "delos/model/metric.h"
 #include "delos/rig/system.h"
-#include "delos/steady/fusion.h"
+#include "delos/steady/fused_state.h"
+#include "delos/steady/solver.h"
 
 namespace delos {
 
@@ -46,7 +47,7 @@ struct PointReport {
 /// rows themselves (spectral_form_of_rows), which keeps twice the digits of the
 /// smallest eigenvalue that a field has.
 /// @param metric what the shares are about
-/// @throws std::invalid_argument as FusionSolver
+/// @throws std::invalid_argument as make_steady_solver()
 [[nodiscard]] DELOS_API PointReport evaluate_point(const System& system,
                                                    const TargetPose& pose,
                                                    const Metric& metric,

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-namespace delos::riccati {
+namespace delos {
 
 inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 
-}  // namespace delos::riccati
+}  // namespace delos

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "delos/model/lanes.h"
-#include "riccati/jacobi.h"
+#include "model/jacobi.h"
 
 namespace delos {
 
@@ -55,7 +55,7 @@ inline LargestEigenvalue cubic_eigenvalue(double xx, double yx, double yy, doubl
 
 /// λmax of P ≥ 0 by Jacobi's rotations: slower, and accurate everywhere.
 inline double jacobi_eigenvalue(const Eigen::Matrix3d& P) {
-  return riccati::jacobi_eigen<3>(P).lambda(2);
+  return jacobi_eigen<3>(P).lambda(2);
 }
 
 /// λmax of one matrix.

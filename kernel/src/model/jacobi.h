@@ -10,12 +10,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "riccati/epsilon.h"
+#include "model/epsilon.h"
 
-namespace delos::riccati {
+namespace delos {
 
 /// Six sweeps are the most ever seen; this many stop NaNs.
 inline constexpr int kMaxSweeps = 30;
@@ -131,4 +130,4 @@ JacobiResult<kSize> jacobi_eigen(Eigen::Matrix<double, kSize, kSize> M) {
   return r;
 }
 
-}  // namespace delos::riccati
+}  // namespace delos

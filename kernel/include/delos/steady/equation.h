@@ -1,0 +1,47 @@
+// The equation of P∞ at one pose.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "delos/api.h"
+#include "delos/model/metric.h"
+#include "delos/riccati/riccati.h"
+#include "delos/riccati/spectral.h"
+#include "delos/rig/system.h"
+
+namespace delos {
+
+/// What is wanted of a steady state; more may be there.
+struct SteadyRequest {
+  bool prior = true, posterior = true;
+  bool whole_state = true;  ///< false: their pose blocks are enough
+  bool time_constant = false;
+};
+
+/// What metrics read of a system's steady state.
+[[nodiscard]] DELOS_API SteadyRequest request_for(const System& system,
+                                                  std::span<const Metric> metrics);
+
+/// The equation of P∞ at one pose, and what its solution is made of. Made once a thread
+/// by SteadySolver::equation(), so that solving allocates nothing.
+struct DELOS_API SteadyEquation {
+  /// A cycle: the motion up to an instant, and what is measured then. Information is
+  /// n×n, and 0 outside its upper left c×c, c = information_size().
+  std::vector<CycleStep> steps;
+  int columns = 0;                   ///< c
+  std::vector<SteadyState> states;   ///< of each step, where solved so
+  std::optional<SpectralForm> form;  ///< where reduced to scalar chains
+
+  /// Nothing is measured any more.
+  void clear();
+  /// A step measures so much more.
+  /// @param S packed as model/lanes.h says, its elements `stride` numbers apart
+  void add(std::size_t step, const double* S, int stride = 1);
+  /// A step measures a row without noise.
+  /// @param row c or n numbers
+  void add_perfect(std::size_t step, const StateVector& row);
+};
+
+}  // namespace delos

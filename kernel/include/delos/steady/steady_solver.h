@@ -1,0 +1,89 @@
+// From what the devices know at a pose to one steady-state covariance, and back.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "delos/api.h"
+#include "delos/layers/layers.h"
+#include "delos/steady/equation.h"
+#include "delos/steady/fused_state.h"
+#include "delos/steady/solver.h"
+
+namespace delos {
+
+struct ChainReduction;
+
+/// S ↦ P∞ of a system, by its fusion. Holds what doesn't change from pose to pose.
+/// Reentrant with an equation a thread.
+class DELOS_API SteadySolver {
+ public:
+  virtual ~SteadySolver();
+
+  /// The solver that answers where no row is perfect. Those poses are solved by the
+  /// general path whatever the solver.
+  [[nodiscard]] Solver solver() const { return solver_; }
+  /// Null where the solver isn't spectral.
+  [[nodiscard]] const ChainReduction* reduction() const { return reduction_.get(); }
+
+  /// The equation of a pose where nothing is measured.
+  [[nodiscard]] SteadyEquation equation() const;
+
+  /// What the devices know at one lane of a block.
+  /// @param pose the lane's, read again only where rows are perfect
+  void read(const LayerBlock& block, int lane, const TargetPose& pose,
+            SteadyEquation& at) const;
+
+  /// Steady state of an equation.
+  /// @param[in,out] at its states or its form are what adjoint() needs
+  virtual void solve(SteadyEquation& at, const SteadyRequest& request,
+                     FusedState& out) const = 0;
+
+ protected:
+  SteadySolver(const System& system, Solver solver);
+  /// One step more: the motion that leads to it, and who reports then.
+  void add_step(const MotionStep& motion, std::span<const int> devices);
+  /// Solve by the chain reduction; false where that isn't possible.
+  bool reduce(SteadyEquation& at, const SteadyRequest& request, FusedState& out) const;
+
+  System system_;
+
+ private:
+  Solver solver_;
+  std::unique_ptr<const ChainReduction> reduction_;
+  std::vector<CycleStep> steps_;
+  std::vector<std::vector<std::size_t>> reports_;  // of each device: its steps
+};
+
+/// A solver whose P∞ has slopes. P∞ is matrix-convex and decreasing in S.
+class DELOS_API SmoothSteadySolver : public SteadySolver {
+ public:
+  /// ∂⟨Y, P∞⟩/∂S, c×c, symmetric, with P∞ the prior or posterior as the system says.
+  /// Rows without noise stay as they are.
+  /// @param at solved, and converged
+  /// @param Y d×d, of the pose block, or n×n; symmetric
+  [[nodiscard]] virtual StateMatrix adjoint(const SteadyEquation& at,
+                                            const StateMatrix& Y) const = 0;
+
+ protected:
+  SmoothSteadySolver(const System& system, Solver solver)
+      : SteadySolver(system, solver) {}
+};
+
+/// The solver of a system's fusion.
+/// @throws UnsuitableSolver the solver can't do this system
+/// @throws std::invalid_argument the rates have no short cycle; the sentence says what
+///         would help
+[[nodiscard]] DELOS_API std::unique_ptr<const SteadySolver> make_steady_solver(
+    const System& system, Solver solver = Solver::automatic);
+
+/// Empty where P∞ of the system has slopes here; else a sentence that says why not.
+[[nodiscard]] DELOS_API std::string adjoint_problem(const System& system);
+
+/// @pre adjoint_problem() is empty
+[[nodiscard]] DELOS_API std::unique_ptr<const SmoothSteadySolver>
+make_smooth_steady_solver(const System& system);
+
+}  // namespace delos

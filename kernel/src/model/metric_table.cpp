@@ -1,0 +1,208 @@
+#include "delos/model/metric_table.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "delos/model/lanes.h"
+#include "model/jacobi.h"
+#include "model/largest_eigenvalue.h"
+
+namespace delos {
+namespace {
+
+using Block3 = Eigen::Matrix3d;
+
+double trace_of(const Block3& P) { return P.trace(); }
+double determinant_of(const Block3& P) { return P.determinant(); }
+/// √Σ λᵢ² is the Frobenius norm.
+double norm_of(const Block3& P) { return P.norm(); }
+
+Block3 trace_slope(const Block3&, double) { return Block3::Identity(); }
+/// ∂|P|/∂P = |P| P⁻¹
+Block3 determinant_slope(const Block3& P, double det) { return det * P.inverse(); }
+Block3 norm_slope(const Block3& P, double norm) { return P / norm; }
+
+template <double (*phi)(const Block3&)>
+double of_block(const CovarianceBlock& P) {
+  return phi(P);
+}
+
+template <double (*phi)(const Block3&), Block3 (*slope)(const Block3&, double)>
+void one_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
+  out.count = 1;
+  out.value[0] = phi(P);
+  if (slopes) out.slope[0] = slope(P, out.value[0]);
+}
+
+template <double (*phi)(const Block3&)>
+void in_lanes(const double* const P[6], double* values) {
+  for (int l = 0; l < kLanes; ++l) {
+    Block3 at;
+    at << P[0][l], P[1][l], P[3][l],  //
+        P[1][l], P[2][l], P[4][l],    //
+        P[3][l], P[4][l], P[5][l];
+    values[l] = phi(at);
+  }
+}
+
+/// λᵢ and uᵢ uᵢᵀ.
+void eigenvalues(const CovarianceBlock& P, bool slopes, MetricParts& out) {
+  const auto eigen = jacobi_eigen<3>(P);
+  out.count = 3;
+  for (int i = 0; i < 3; ++i) {
+    out.value[i] = eigen.lambda(i);
+    if (slopes) out.slope[i] = eigen.U.col(i) * eigen.U.col(i).transpose();
+  }
+}
+
+double variance(const CovarianceBlock& P) { return P(0, 0); }
+void variance_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
+  out.count = 1;
+  out.value[0] = P(0, 0);
+  if (slopes) out.slope[0].setOnes(1, 1);
+}
+
+/// (2π)^(−n/2) |P|^(−1/2), through logarithms: |P| of nine states underflows easily.
+double likelihood(const CovarianceBlock& P) {
+  const Eigen::LDLT<StateMatrix> ldlt(P);
+  const double log_det = ldlt.vectorD().array().abs().log().sum();
+  const double n = static_cast<double>(P.rows());
+  return std::exp(-0.5 * (n * std::log(2 * std::numbers::pi) + log_det));
+}
+/// ∂m/∂P = −m/2 P⁻¹
+void likelihood_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
+  out.count = 1;
+  out.value[0] = likelihood(P);
+  if (slopes) out.slope[0] = -out.value[0] / 2 * StateMatrix(StateMatrix(P).inverse());
+}
+
+constexpr auto kTrace = of_block<trace_of>;
+constexpr auto kTracePart = one_part<trace_of, trace_slope>;
+constexpr auto kTraces = in_lanes<trace_of>;
+
+// Convex in P: P_ii and tr P, which are linear; λmax = max_u uᵀPu and ‖P‖, a maximum
+// and a norm; |P|^(−1/2), the exponential of the convex −½ log |P|. |P| is neither
+// convex nor concave.
+constexpr MetricRow kTable[] = {
+    // name, kind, reads, power, larger is better, root, convex, value, parts, lanes
+    {"sigma_", MetricKind::sigma, MetricReads::one_state, 1, false, true, true,
+     variance, variance_part, nullptr},
+    {"sigma_position", MetricKind::sigma_position, MetricReads::position, 1, false,
+     true, true, kTrace, kTracePart, kTraces},
+    {"sigma_orientation", MetricKind::sigma_orientation, MetricReads::orientation, 1,
+     false, true, true, kTrace, kTracePart, kTraces},
+    {"eigmax", MetricKind::eigmax, MetricReads::block, 1, false, true, true,
+     of_block<largest_eigenvalue>, eigenvalues, largest_eigenvalues},
+    {"eiglen", MetricKind::eiglen, MetricReads::block, 1, false, true, true,
+     of_block<norm_of>, one_part<norm_of, norm_slope>, in_lanes<norm_of>},
+    {"mle", MetricKind::mle, MetricReads::whole_state, 0, true, false, true, likelihood,
+     likelihood_part, nullptr},
+    {"trace", MetricKind::trace, MetricReads::block, 2, false, false, true, kTrace,
+     kTracePart, kTraces},
+    {"det", MetricKind::det, MetricReads::block, 6, false, false, false,
+     of_block<determinant_of>, one_part<determinant_of, determinant_slope>,
+     in_lanes<determinant_of>},
+    {"coverage", MetricKind::coverage, MetricReads::devices, 0, true, false, false,
+     nullptr, nullptr, nullptr},
+    {"latency", MetricKind::latency, MetricReads::closed_loop, 0, false, false, false,
+     nullptr, nullptr, nullptr},
+};
+
+}  // namespace
+
+std::span<const MetricRow> metric_table() { return kTable; }
+
+const MetricRow& row_of(MetricKind kind) {
+  return *std::find_if(std::begin(kTable), std::end(kTable),
+                       [kind](const MetricRow& row) { return row.kind == kind; });
+}
+
+MetricNeed need_of(const Metric& metric, const StateLayout& layout) {
+  switch (row_of(metric.kind).reads) {
+    case MetricReads::devices:
+      return MetricNeed::nothing;
+    case MetricReads::closed_loop:
+      return MetricNeed::time_constant;
+    case MetricReads::whole_state:
+      return MetricNeed::whole_state;
+    case MetricReads::one_state:
+      if (metric.state >= layout.coordinates()) return MetricNeed::whole_state;
+      break;
+    default:
+      break;
+  }
+  return MetricNeed::pose_block;
+}
+
+BlockPlace place_of(const Metric& metric, const StateLayout& layout) {
+  switch (row_of(metric.kind).reads) {
+    case MetricReads::one_state:
+      return {metric.state, 1};
+    case MetricReads::orientation:
+      return {layout.positions(), 3};
+    case MetricReads::whole_state:
+      return {0, layout.size()};
+    default:
+      return {0, 3};
+  }
+}
+
+double variance_value(const Metric& metric, const StateLayout& layout,
+                      const StateMatrix& P) {
+  const auto [first, size] = place_of(metric, layout);
+  return row_of(metric.kind).value(P.block(first, first, size, size));
+}
+
+double metric_value(const Metric& metric, const StateLayout& layout,
+                    const StateMatrix& P) {
+  const double phi = variance_value(metric, layout, P);
+  return row_of(metric.kind).root ? std::sqrt(phi) : phi;
+}
+
+void metric_values(const Metric& metric, const StateLayout& layout, const double* P,
+                   double* values) {
+  const MetricRow& row = row_of(metric.kind);
+  const int s = place_of(metric, layout).first;
+  const auto at = [&](int i, int j) { return P + packed_index(s + i, s + j) * kLanes; };
+  if (row.lanes) {
+    const double* block[6] = {at(0, 0), at(1, 0), at(1, 1),
+                              at(2, 0), at(2, 1), at(2, 2)};
+    row.lanes(block, values);
+  } else {
+    std::copy_n(at(0, 0), kLanes, values);
+  }
+  if (!row.root) return;
+  for (int l = 0; l < kLanes; ++l) values[l] = std::sqrt(values[l]);
+}
+
+// φ̃ = (Σ φ_i^p)^(1/p),  ∂φ̃/∂φ_i = (φ_i/φ̃)^(p−1);  ∂√φ̃ = ∂φ̃/(2√φ̃)
+double smooth_metric(const Metric& metric, const StateLayout& layout,
+                     const StateMatrix& P, double weight, StateMatrix* Y) {
+  const MetricRow& row = row_of(metric.kind);
+  const auto [first, size] = place_of(metric, layout);
+  MetricParts parts;
+  row.parts(P.block(first, first, size, size), Y != nullptr, parts);
+  double phi = parts.value[0], share[3] = {1, 0, 0};
+  if (parts.count > 1) {
+    const double largest = *std::max_element(parts.value, parts.value + parts.count);
+    double sum = 0;
+    for (int i = 0; i < parts.count; ++i) {
+      const double ratio = std::max(parts.value[i] / largest, 0.0);
+      share[i] = std::pow(ratio, kEigenPower - 1);
+      sum += share[i] * ratio;
+    }
+    phi = largest * std::pow(sum, 1 / kEigenPower);
+    for (double& of_part : share) of_part *= phi / (largest * sum);
+  }
+  const double value = row.root ? std::sqrt(phi) : phi;
+  if (!Y) return value;
+  if (row.root) weight /= 2 * value;
+  for (int i = 0; i < parts.count; ++i)
+    Y->block(first, first, size, size) += weight * share[i] * parts.slope[i];
+  return value;
+}
+
+}  // namespace delos

@@ -1,0 +1,68 @@
+#include "steady/cycle.h"
+
+#include <numeric>
+#include <stdexcept>
+
+#include "delos/model/infinity.h"
+#include "delos/riccati/cycle.h"
+#include "delos/rig/schedule.h"
+#include "steady/general_state.h"
+
+namespace delos {
+
+CycleSolver::CycleSolver(const System& system, Solver solver)
+    : SteadySolver(system, solver) {
+  const auto cycle = update_cycle(system);
+  if (const auto* problem = std::get_if<std::string>(&cycle))
+    throw std::invalid_argument(*problem);
+  for (const UpdateSlot& slot : std::get<std::vector<UpdateSlot>>(cycle)) {
+    add_step(discretize(system.motion, slot.interval), slot.devices);
+    intervals_.push_back(slot.interval);
+  }
+}
+
+void CycleSolver::solve(SteadyEquation& at, const SteadyRequest& request,
+                        FusedState& out) const {
+  solve_cycle(at.steps, at.states);
+  const Eigen::Index d = system_.motion.layout.coordinates();
+  const auto size = [d](const StateMatrix& P) { return P.topLeftCorner(d, d).trace(); };
+  out.status = RiccatiStatus::converged;
+  out.unobservable = at.states.back().unobservable;
+  out.worst_prior = at.states.front().prior;
+  out.best_posterior = at.states.front().posterior;
+  for (const SteadyState& state : at.states) {
+    if (state.status != RiccatiStatus::converged) out.status = state.status;
+    if (size(state.prior) > size(out.worst_prior)) out.worst_prior = state.prior;
+    if (size(state.posterior) < size(out.best_posterior))
+      out.best_posterior = state.posterior;
+  }
+  set_mean(at, out);
+  if (!request.time_constant) return;
+  const double length = std::accumulate(intervals_.begin(), intervals_.end(), 0.0);
+  out.time_constant =
+      out.status == RiccatiStatus::converged
+          ? time_constant_of_radius(closed_loop_radius(at.steps, at.states), length)
+          : kInfinity;
+}
+
+void CycleSolver::set_mean(const SteadyEquation& at, FusedState& out) const {
+  if (system_.fusion == Fusion::periodic) {
+    out.of = CovarianceOf::time_average;
+    out.prior =
+        time_average(system_.motion, intervals_, at.states, AverageRule::trapezoid);
+    out.posterior = out.prior;
+    return;
+  }
+  out.of = CovarianceOf::turn_average;
+  const Eigen::Index n = system_.motion.layout.size();
+  out.prior.setZero(n, n);
+  out.posterior.setZero(n, n);
+  for (const SteadyState& state : at.states) {
+    out.prior += state.prior;
+    out.posterior += state.posterior;
+  }
+  out.prior /= static_cast<double>(at.states.size());
+  out.posterior /= static_cast<double>(at.states.size());
+}
+
+}  // namespace delos

@@ -1,0 +1,42 @@
+#include "delos/steady/equation.h"
+
+#include "delos/model/lanes.h"
+#include "delos/model/metric_table.h"
+#include "observe/exact_rows.h"
+
+namespace delos {
+
+SteadyRequest request_for(const System& system, std::span<const Metric> metrics) {
+  SteadyRequest request{system.covariance == CovarianceKind::prior,
+                        system.covariance == CovarianceKind::posterior, false, false};
+  for (const Metric& metric : metrics) {
+    const MetricNeed need = need_of(metric, system.motion.layout);
+    request.whole_state |= need == MetricNeed::whole_state;
+    request.time_constant |= need == MetricNeed::time_constant;
+  }
+  return request;
+}
+
+void SteadyEquation::clear() {
+  for (CycleStep& step : steps) {
+    Measurement& m = step.measurement;
+    m.information.topLeftCorner(columns, columns).setZero();
+    m.exact.resize(0, m.information.cols());
+  }
+}
+
+void SteadyEquation::add(std::size_t step, const double* S, int stride) {
+  StateMatrix& sum = steps[step].measurement.information;
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j <= i; ++j)
+      sum(j, i) = sum(i, j) += S[packed_index(i, j) * stride];
+}
+
+void SteadyEquation::add_perfect(std::size_t step, const StateVector& row) {
+  StateMatrix& exact = steps[step].measurement.exact;
+  StateVector whole = StateVector::Zero(exact.cols());
+  whole.head(row.size()) = row;
+  append_independent(whole, exact);
+}
+
+}  // namespace delos
