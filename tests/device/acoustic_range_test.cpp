@@ -8,11 +8,9 @@
 namespace delos::test {
 namespace {
 
-const Target kTarget{.p_ST = {3, 4, 12}, .state = {}};
-
 TEST(AcousticRange, MeasuresDistanceWithThePapersNoise) {
   Observation out;
-  ASSERT_TRUE(device("acoustic_range", "{}")->observe(kTarget, out));
+  ASSERT_TRUE(device("acoustic_range", "{}")->observe(kThirteenAway, out));
   EXPECT_DOUBLE_EQ(out.z(0), 13);
   EXPECT_LT((out.H - Eigen::RowVector3d(3, 4, 12) / 13).norm(), 1e-15);
   EXPECT_DOUBLE_EQ(out.R(0, 0), 0.845);  // 0.005 · 169
@@ -20,7 +18,7 @@ TEST(AcousticRange, MeasuresDistanceWithThePapersNoise) {
 
 TEST(AcousticRange, MayBePerfect) {
   Observation out;
-  ASSERT_TRUE(device("acoustic_range", "{r: 0}")->observe(kTarget, out));
+  ASSERT_TRUE(device("acoustic_range", "{r: 0}")->observe(kThirteenAway, out));
   EXPECT_EQ(out.R(0, 0), 0);
 }
 
@@ -31,9 +29,9 @@ TEST(AcousticRange, HasNoDirectionAtItsPlace) {
 
 TEST(AcousticRange, ReachesJustSoFar) {
   Observation out;
-  EXPECT_TRUE(device("acoustic_range", "{reach: 13}")->observe(kTarget, out));
-  EXPECT_FALSE(
-      device("acoustic_range", "{reach: 12.999999999999996}")->observe(kTarget, out));
+  EXPECT_TRUE(device("acoustic_range", "{reach: 13}")->observe(kThirteenAway, out));
+  EXPECT_FALSE(device("acoustic_range", "{reach: 12.999999999999996}")
+                   ->observe(kThirteenAway, out));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "device/devices.h"
-#include "device/heap_count.h"
+#include "support/heap_count.h"
 
 namespace delos::test {
 namespace {

@@ -66,6 +66,15 @@ std::shared_ptr<const Device> device(const std::string& id, const std::string& y
   return info ? make_device(*info, values(*info, yaml)) : nullptr;
 }
 
+std::string refusal(const std::string& id, const std::string& yaml) {
+  try {
+    (void)device(id, yaml);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
 std::vector<std::string> all_ids() {
   const std::vector<std::string> found = registry().ids();
   std::set<std::string> ids(found.begin(), found.end());

@@ -9,6 +9,9 @@
 
 namespace delos::test {
 
+/// 13 m from a device at the origin: 3² + 4² + 12² = 13².
+inline const Target kThirteenAway{.p_ST = {3, 4, 12}, .state = {}};
+
 /// The registry of this program, in which libraries are found once.
 PluginRegistry& registry();
 
@@ -22,6 +25,9 @@ ParamValues values(const PluginInfo& info, const std::string& yaml);
 
 /// The device; throws what its constructor throws.
 std::shared_ptr<const Device> device(const std::string& id, const std::string& yaml);
+
+/// What the constructor refuses the parameters for; "accepted" where it doesn't.
+std::string refusal(const std::string& id, const std::string& yaml);
 
 /// Ids of all devices: those of this build, and what else lies in the plugin folders.
 std::vector<std::string> all_ids();

@@ -23,35 +23,28 @@ TEST(Linear, MultipliesTheState) {
             (Eigen::Matrix2d() << 4, 2, 2, 1).finished());  // singular: 4·1 − 2·2
 }
 
-std::string refusal(const std::string& yaml) {
-  try {
-    (void)device("linear", yaml);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "accepted";
-}
-
 TEST(Linear, RefusesMatricesThatDontFit) {
-  EXPECT_EQ(refusal("{H: [[1, 0], [0, 1]], R: [[1, 0]]}"),
+  EXPECT_EQ(refusal("linear", "{H: [[1, 0], [0, 1]], R: [[1, 0]]}"),
             "R must be square, it is 1×2");
-  EXPECT_EQ(refusal("{H: [[1, 0], [0, 1]], R: [[1]]}"),
+  EXPECT_EQ(refusal("linear", "{H: [[1, 0], [0, 1]], R: [[1]]}"),
             "R must have as many rows as H, it is 1×1 and H is 2×2");
-  EXPECT_EQ(refusal("{H: [[1, 0], [0, 1]], R: [[1, 0.5], [0.4, 1]]}"),
+  EXPECT_EQ(refusal("linear", "{H: [[1, 0], [0, 1]], R: [[1, 0.5], [0.4, 1]]}"),
             "R must be symmetric, row 1 differs from column 1");
   // Eigenvalues of [1 2; 2 1]: 1 ± 2.
-  EXPECT_EQ(refusal("{H: [[1, 0], [0, 1]], R: [[1, 2], [2, 1]]}"),
+  EXPECT_EQ(refusal("linear", "{H: [[1, 0], [0, 1]], R: [[1, 2], [2, 1]]}"),
             "R must have no negative eigenvalue, it has -1.000000");
   std::string row = "[0";
   for (int i = 0; i < kMaxState; ++i) row += ", 0";
-  EXPECT_EQ(refusal("{H: [" + row + "]], R: [[1]]}"),
+  EXPECT_EQ(refusal("linear", "{H: [" + row + "]], R: [[1]]}"),
             "H must be 1×1 to 30×30, it is 1×31");
 }
 
 TEST(Linear, TakesSingularNoise) {
-  EXPECT_EQ(refusal("{H: [[1, 0], [0, 1]], R: [[0, 0], [0, 0]]}"), "accepted");
+  EXPECT_EQ(refusal("linear", "{H: [[1, 0], [0, 1]], R: [[0, 0], [0, 0]]}"),
+            "accepted");
   // Rank one with eigenvalues that rounding may carry below zero.
-  EXPECT_EQ(refusal("{H: [[1], [1], [1]], R: [[0.01, 0.01, 0.01], [0.01, 0.01, 0.01], "
+  EXPECT_EQ(refusal("linear",
+                    "{H: [[1], [1], [1]], R: [[0.01, 0.01, 0.01], [0.01, 0.01, 0.01], "
                     "[0.01, 0.01, 0.01]]}"),
             "accepted");
 }

@@ -85,23 +85,17 @@ TEST(PinholeCamera, NoiseInPixelsIsTheSameAnywhere) {
   }
 }
 
-std::string refusal(const std::string& yaml) {
-  try {
-    (void)device("pinhole_camera", yaml);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "accepted";
-}
-
 TEST(PinholeCamera, RefusesParametersThatClash) {
   EXPECT_EQ(
-      refusal("{focal: 0.006, pitch: 7.4e-6, resolution: [640, 480], near: 2, far: 2}"),
+      refusal("pinhole_camera",
+              "{focal: 0.006, pitch: 7.4e-6, resolution: [640, 480], near: 2, far: 2}"),
       "near must be less than far");
-  EXPECT_EQ(refusal("{focal: 0.006, pitch: 7.4e-6, resolution: [640, 0]}"),
-            "resolution must be a width and a height above 0");
-  EXPECT_EQ(refusal("{focal: 0.006, pitch: 7.4e-6, resolution: [640]}"),
-            "resolution must be a width and a height above 0");
+  EXPECT_EQ(
+      refusal("pinhole_camera", "{focal: 0.006, pitch: 7.4e-6, resolution: [640, 0]}"),
+      "resolution must be a width and a height above 0");
+  EXPECT_EQ(
+      refusal("pinhole_camera", "{focal: 0.006, pitch: 7.4e-6, resolution: [640]}"),
+      "resolution must be a width and a height above 0");
 }
 
 }  // namespace

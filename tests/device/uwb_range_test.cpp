@@ -6,11 +6,9 @@
 namespace delos::test {
 namespace {
 
-const Target kTarget{.p_ST = {3, 4, 12}, .state = {}};
-
 TEST(UwbRange, MeasuresDistanceWithConstantNoise) {
   Observation out;
-  ASSERT_TRUE(device("uwb_range", "{}")->observe(kTarget, out));
+  ASSERT_TRUE(device("uwb_range", "{}")->observe(kThirteenAway, out));
   EXPECT_DOUBLE_EQ(out.z(0), 13);
   EXPECT_LT((out.H - Eigen::RowVector3d(3, 4, 12) / 13).norm(), 1e-15);
   EXPECT_DOUBLE_EQ(out.R(0, 0), 0.01);  // (0.1 m)²
@@ -19,7 +17,7 @@ TEST(UwbRange, MeasuresDistanceWithConstantNoise) {
 TEST(UwbRange, MayFadeWithRange) {
   Observation out;
   ASSERT_TRUE(
-      device("uwb_range", "{sigma: 0.05, growth: 0.01}")->observe(kTarget, out));
+      device("uwb_range", "{sigma: 0.05, growth: 0.01}")->observe(kThirteenAway, out));
   EXPECT_DOUBLE_EQ(out.R(0, 0), 0.0194);  // 0.05² + 0.13²
 }
 
@@ -30,9 +28,9 @@ TEST(UwbRange, HasNoDirectionAtItsPlace) {
 
 TEST(UwbRange, ReachesJustSoFarAndNeedsSight) {
   Observation out;
-  EXPECT_TRUE(device("uwb_range", "{reach: 13}")->observe(kTarget, out));
+  EXPECT_TRUE(device("uwb_range", "{reach: 13}")->observe(kThirteenAway, out));
   EXPECT_FALSE(
-      device("uwb_range", "{reach: 12.999999999999996}")->observe(kTarget, out));
+      device("uwb_range", "{reach: 12.999999999999996}")->observe(kThirteenAway, out));
   EXPECT_TRUE(device("uwb_range", "{}")->needs_sight());
 }
 

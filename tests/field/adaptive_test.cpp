@@ -13,7 +13,7 @@ namespace delos {
 namespace {
 
 /// The papers' acoustic tracker, of devices that answer for many points at once.
-System acoustic_system() {
+System acoustic_in_lanes() {
   System system = testing::acoustic_system();
   for (PlacedDevice& d : system.devices) {
     d.device = std::make_shared<testing::TestFullRange>(0.005);
@@ -42,7 +42,7 @@ AdaptiveField evaluate(const System& system, const AdaptiveSampling& s,
   return evaluate_adaptive(system, s, {}, metric(name, system), options);
 }
 
-Samples random_points(int count, unsigned seed) {
+Samples points_in_box(int count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
   Samples samples;
@@ -62,7 +62,7 @@ Field direct(const System& system, const Samples& samples,
 
 /// The acoustic tracker with a wall between two speakers and half of the volume.
 System with_wall() {
-  System system = acoustic_system();
+  System system = acoustic_in_lanes();
   system.in_world = Occluders({make_box({0.15, 0.1, 0.85}, {0.16, 0.5, 0.9})});
   return system;
 }
@@ -84,10 +84,10 @@ TEST(Adaptive, NodesHoldWhatDirectEvaluationGives) {
 // A smooth field is read to the tolerance nearly everywhere, and the stated error is
 // that of other random points.
 TEST(Adaptive, ASmoothFieldMeetsTheToleranceAndKnowsItsError) {
-  const System system = acoustic_system();
+  const System system = acoustic_in_lanes();
   const AdaptiveField field = evaluate(system, sampling(0.005, 8));
   EXPECT_EQ(field.report().stop, AdaptiveStop::tolerance);
-  const Samples points = random_points(5000, 3);
+  const Samples points = points_in_box(5000, 3);
   const Field read = field.read(points), truth = direct(system, points);
   std::vector<double> off;
   for (std::size_t i = 0; i < truth.value.size(); ++i) {
@@ -102,10 +102,10 @@ TEST(Adaptive, ASmoothFieldMeetsTheToleranceAndKnowsItsError) {
 
 // Edges of fields of view are exact: a device's reach cuts the volume in two.
 TEST(Adaptive, EdgesOfFieldsOfViewAreExact) {
-  System system = acoustic_system();
+  System system = acoustic_in_lanes();
   system.devices[0].device = std::make_shared<testing::TestFullRange>(0.005, 0.8);
   const AdaptiveField field = evaluate(system, sampling(0.05, 3), "coverage");
-  const Samples points = random_points(5000, 4);
+  const Samples points = points_in_box(5000, 4);
   EXPECT_EQ(field.read(points).value, direct(system, points, "coverage").value);
 }
 
@@ -113,7 +113,7 @@ TEST(Adaptive, EdgesOfFieldsOfViewAreExact) {
 // cells that an edge crosses may be wrong.
 TEST(Adaptive, ShadowsAreRightButForTheCellsThatTheirEdgesCross) {
   const System system = with_wall();
-  const Samples points = random_points(5000, 5);
+  const Samples points = points_in_box(5000, 5);
   const Field truth = direct(system, points, "coverage");
   double before = 1;
   for (const int depth : {4, 5, 6}) {
@@ -141,7 +141,7 @@ TEST(Adaptive, MostSightLinesNeedNoRay) {
 
 // Across faces between leaves of different levels the field has no step.
 TEST(Adaptive, IsContinuousAcrossHangingNodes) {
-  System system = acoustic_system();
+  System system = acoustic_in_lanes();
   AdaptiveSampling s = sampling(1e-4, 5);
   s.within =
       Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, 0.1, 0.2));
@@ -199,7 +199,7 @@ TEST(Adaptive, CancelledItIsAValidCoarserField) {
   ASSERT_EQ(sizes.size(), 3u);
   EXPECT_LT(sizes[0], sizes[1]);
   EXPECT_EQ(field.field().value.size(), sizes[2]);
-  const Samples points = random_points(500, 8);
+  const Samples points = points_in_box(500, 8);
   const Field read = field.read(points), truth = direct(system, points);
   double off = 0;
   for (std::size_t i = 0; i < truth.value.size(); ++i) {
@@ -223,9 +223,9 @@ TEST(Adaptive, StopsNearItsBudget) {
 // Only around 3 cm: far from there leaves stay coarse.
 TEST(Adaptive, FocusesOnAValue) {
   AdaptiveSampling s = sampling(1e-3, 6);
-  const AdaptiveField all = evaluate(acoustic_system(), s);
+  const AdaptiveField all = evaluate(acoustic_in_lanes(), s);
   s.near_value = 0.03;
-  const AdaptiveField focused = evaluate(acoustic_system(), s);
+  const AdaptiveField focused = evaluate(acoustic_in_lanes(), s);
   EXPECT_LT(focused.report().nodes, all.report().nodes / 2);
 }
 
@@ -238,7 +238,7 @@ TEST(Adaptive, WeightsAreVolumes) {
 }
 
 TEST(Adaptive, LeavesOutWhatIsInsideSolids) {
-  System system = acoustic_system();
+  System system = acoustic_in_lanes();
   system.in_world = Occluders({make_box({0.1, 0.1, 0.1}, {0.3, 0.3, 0.5})});
   const AdaptiveField field = evaluate(system, sampling(0.05, 5));
   const FieldStatistics s = summarize(field.field());
@@ -254,7 +254,7 @@ TEST(Adaptive, LeavesOutWhatIsInsideSolids) {
 
 // The general path: one update of several rates over a cycle.
 TEST(Adaptive, WorksForEveryFusion) {
-  System system = acoustic_system();
+  System system = acoustic_in_lanes();
   system.fusion = Fusion::sequential;
   const AdaptiveField field = evaluate(system, sampling(0.2, 2));
   const Field expected = direct(system, field.field().samples);

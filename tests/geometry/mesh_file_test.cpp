@@ -46,7 +46,7 @@ class MeshFile : public testing::Test {
   std::filesystem::path folder_;
 };
 
-const TriangleMesh cube = make_box({0, 0, 0}, {1, 2, 3});
+const TriangleMesh kBox = make_box({0, 0, 0}, {1, 2, 3});
 
 template <class T>
 std::string bytes_of(T value) {
@@ -58,8 +58,8 @@ std::string bytes_of(T value) {
 std::string off() {
   std::ostringstream out;
   out << "OFF\n# a cube\n8 12 0\n";
-  for (const auto& p : cube.vertices) out << p.transpose() << '\n';
-  for (const auto& [a, b, c] : cube.triangles) {
+  for (const auto& p : kBox.vertices) out << p.transpose() << '\n';
+  for (const auto& [a, b, c] : kBox.triangles) {
     out << "3 " << a << ' ' << b << ' ' << c << '\n';
   }
   return out.str();
@@ -68,9 +68,9 @@ std::string off() {
 std::string obj() {
   std::ostringstream out;
   out << "# a cube\no cube\nvn 0 0 1\nvt 0 0\n";
-  for (const auto& p : cube.vertices) out << "v " << p.transpose() << '\n';
-  for (std::size_t t = 0; t < cube.triangles.size(); ++t) {
-    const auto& [a, b, c] = cube.triangles[t];
+  for (const auto& p : kBox.vertices) out << "v " << p.transpose() << '\n';
+  for (std::size_t t = 0; t < kBox.triangles.size(); ++t) {
+    const auto& [a, b, c] = kBox.triangles[t];
     if (t % 2 == 0) {
       out << "f " << a + 1 << "/1/1 " << b + 1 << "//1 " << c + 1 << '\n';
     } else {  // counted from the end
@@ -90,8 +90,8 @@ std::string ply_header(const std::string& format) {
 std::string ply() {
   std::ostringstream out;
   out << ply_header("ascii");
-  for (const auto& p : cube.vertices) out << p.transpose() << '\n';
-  for (const auto& [a, b, c] : cube.triangles) {
+  for (const auto& p : kBox.vertices) out << p.transpose() << '\n';
+  for (const auto& [a, b, c] : kBox.triangles) {
     out << "3 " << a << ' ' << b << ' ' << c << '\n';
   }
   return out.str();
@@ -99,10 +99,10 @@ std::string ply() {
 
 std::string binary_ply() {
   std::string out = ply_header("binary_little_endian");
-  for (const auto& p : cube.vertices) {
+  for (const auto& p : kBox.vertices) {
     for (const double x : p) out += bytes_of(static_cast<float>(x));
   }
-  for (const auto& triangle : cube.triangles) {
+  for (const auto& triangle : kBox.triangles) {
     out += bytes_of(std::uint8_t{3});
     for (const std::uint32_t corner : triangle) out += bytes_of(corner);
   }
@@ -112,10 +112,10 @@ std::string binary_ply() {
 std::string stl() {
   std::ostringstream out;
   out << "solid cube\n";
-  for (const auto& triangle : cube.triangles) {
+  for (const auto& triangle : kBox.triangles) {
     out << "facet normal 0 0 0\n outer loop\n";
     for (const std::uint32_t corner : triangle) {
-      out << "  vertex " << cube.vertices[corner].transpose() << '\n';
+      out << "  vertex " << kBox.vertices[corner].transpose() << '\n';
     }
     out << " endloop\nendfacet\n";
   }
@@ -123,7 +123,7 @@ std::string stl() {
   return out.str();
 }
 
-std::string binary_stl(const TriangleMesh& mesh = cube) {
+std::string binary_stl(const TriangleMesh& mesh = kBox) {
   std::string out(80, ' ');
   out += bytes_of(static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& triangle : mesh.triangles) {
@@ -149,7 +149,7 @@ TEST_F(MeshFile, OfEveryFormatGivesTheCube) {
     for (std::size_t t = 0; t < 12; ++t) {
       for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(mesh.vertices[mesh.triangles[t][i]],
-                  cube.vertices[cube.triangles[t][i]])
+                  kBox.vertices[kBox.triangles[t][i]])
             << name << ", triangle " << t;
       }
     }

@@ -104,7 +104,7 @@ TEST(Reduce, SlopesMatchCentralDifferences) {
       t.level = 0.6;
       t.limit = 2.5;
       std::vector<double> slopes(kCosts.size());
-      reduce(t, kCosts, kUneven, blur, slopes.data());
+      (void)reduce(t, kCosts, kUneven, blur, slopes.data());
       for (std::size_t i = 0; i < kCosts.size(); ++i) {
         constexpr double kStep = 1e-6;
         std::vector<double> up = kCosts, down = kCosts;

@@ -331,10 +331,12 @@ TEST_P(Choices, AreTheBestThereAreAndBoundsStayBelow) {
     EXPECT_GE(early.best.cost, least * (1 - 1e-9) - kZero);
   }
   EXPECT_GT(split, 20);
-  if (GetParam() == Kind::general) EXPECT_GT(whole_ones, 50);
+  if (GetParam() == Kind::general) {
+    EXPECT_GT(whole_ones, 50);
+  }
 }
 
-std::string name_of(const testing::TestParamInfo<Kind>& info) {
+std::string name_of_kind(const testing::TestParamInfo<Kind>& info) {
   static const char* kNames[] = {"range", "bearing", "camera", "general"};
   return kNames[static_cast<int>(info.param)];
 }
@@ -342,7 +344,7 @@ std::string name_of(const testing::TestParamInfo<Kind>& info) {
 INSTANTIATE_TEST_SUITE_P(Kinds, Choices,
                          testing::Values(Kind::range, Kind::bearing, Kind::camera,
                                          Kind::general),
-                         name_of);
+                         name_of_kind);
 
 std::vector<double> random_fractions(Random& random, std::size_t n) {
   std::vector<double> w(n);
@@ -501,7 +503,9 @@ TEST(ChoicePolytope, BoundsLinearCostsFromBelowAndExactlyWhereAllCostTheSame) {
       }
     }
     EXPECT_LE(bound.value, least + 1e-12);
-    if (equal) EXPECT_NEAR(bound.value, least, 1e-9);
+    if (equal) {
+      EXPECT_NEAR(bound.value, least, 1e-9);
+    }
     for (const std::size_t i : polytope.open()) {
       EXPECT_LE(bound.value + bound.if_in[i], if_in[i] + 1e-9);
       EXPECT_LE(bound.value + bound.if_out[i], if_out[i] + 1e-9);

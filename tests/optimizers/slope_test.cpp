@@ -17,7 +17,7 @@ struct Case {
   std::size_t samples = 120;
 };
 
-std::string name_of(const testing::TestParamInfo<Case>& info) {
+std::string name_of_case(const testing::TestParamInfo<Case>& info) {
   std::string name = info.param.scene;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
                "[{metric: eigmax, below: 5 cm}, {metric: mle, above: 10}, {spacing: "
                "0.3, "
                "devices: '*'}, {sum: {devices.*.at.z: 1}, at_most: 4}]"}}}),
-    name_of);
+    name_of_case);
 
 }  // namespace
 }  // namespace delos::test

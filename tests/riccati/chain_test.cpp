@@ -6,17 +6,17 @@
 #include <Eigen/Eigenvalues>
 
 #include "riccati/long_double.h"
+#include "riccati/systems.h"
 
 namespace delos {
 namespace {
 
+using testing::kPosterior;
+using testing::kPrior;
 using testing::long_posterior;
 using testing::long_prior;
 using testing::LongChain;
 using testing::LongMatrix;
-
-constexpr CovarianceKind kPrior = CovarianceKind::prior;
-constexpr CovarianceKind kPosterior = CovarianceKind::posterior;
 
 /// Largest relative error of any entry.
 double entrywise(const ChainMatrix& a, const LongMatrix& reference) {

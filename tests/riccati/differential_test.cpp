@@ -30,9 +30,8 @@ namespace delos {
 namespace {
 
 using testing::Draw;
+using testing::kEps;
 using testing::LongMatrix;
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 /// ‖E‖/‖X‖ of the comment above.
 double newton_error(const MotionStep& motion, const StateMatrix& S,

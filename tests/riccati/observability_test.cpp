@@ -10,9 +10,8 @@ namespace {
 using testing::Draw;
 using testing::embed;
 using testing::informed;
+using testing::kPrior;
 using testing::relative;
-
-constexpr CovarianceKind kPrior = CovarianceKind::prior;
 
 Eigen::MatrixXd projector(const StateMatrix& basis) {
   return basis * basis.transpose();

@@ -13,9 +13,8 @@ namespace {
 using testing::Draw;
 using testing::embed;
 using testing::informed;
+using testing::kPrior;
 using testing::relative;
-
-constexpr CovarianceKind kPrior = CovarianceKind::prior;
 
 /// I_k ⊗ R
 Eigen::MatrixXd every_block(const Eigen::MatrixXd& R, int k) {

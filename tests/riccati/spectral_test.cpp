@@ -11,9 +11,9 @@ namespace delos {
 namespace {
 
 using testing::Draw;
+using testing::kEps;
 using testing::LongMatrix;
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 const Sampling kSampling{false, 0.02};
 
 /// Eigenvalues of a symmetric matrix in long double, ascending.

@@ -5,13 +5,19 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
+#include <limits>
 #include <random>
 
+#include "delos/model/covariance_kind.h"
 #include "delos/model/motion.h"
 #include "delos/riccati/riccati.h"
 #include "delos/riccati/spectral.h"
 
 namespace delos::testing {
+
+inline constexpr CovarianceKind kPrior = CovarianceKind::prior;
+inline constexpr CovarianceKind kPosterior = CovarianceKind::posterior;
+inline constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 /// Random matrices from one seed.
 class Draw {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include "delos/sampling/samples.h"
@@ -11,13 +12,7 @@
 namespace delos::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-Scene accepted(const std::string& text) {
-  const Loaded loaded = load(text);
-  for (const std::string& finding : loaded.findings) ADD_FAILURE() << finding;
-  return loaded.scene.value_or(Scene{});
-}
+using std::numbers::pi;
 
 TEST(Accept, ReadsEveryPartInSi) {
   const Scene s = accepted(kGood);
@@ -84,8 +79,7 @@ TEST(Accept, ReadsWhatIsSaid) {
   EXPECT_EQ(d.rate, 1500);
   EXPECT_EQ(d.phase, 0.005);
   EXPECT_EQ(d.group, "rig1");
-  EXPECT_EQ(std::get<Rpy>(d.placement.facing).angles,
-            Eigen::Vector3d(kPi / 2, 0, -0.5));
+  EXPECT_EQ(std::get<Rpy>(d.placement.facing).angles, Eigen::Vector3d(pi / 2, 0, -0.5));
   EXPECT_EQ(d.params.choice("shape"), "square");
   EXPECT_EQ(d.params["gain"], 0.05);
   EXPECT_EQ(d.params.matrix("resolution"), Eigen::MatrixXd(Eigen::Vector2d(1, 2)));
@@ -148,7 +142,7 @@ TEST(Accept, ReadsSeveralSetsWithOrientationsBeside) {
             Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(sample_count(s.samples[2]), 2 * 3 * 5);
   ASSERT_EQ(s.orientations.rpy.size(), 2u);
-  EXPECT_DOUBLE_EQ(s.orientations.rpy[1].z(), kPi);
+  EXPECT_DOUBLE_EQ(s.orientations.rpy[1].z(), pi);
   EXPECT_EQ(s.orientations.combine, OrientationRule::mean);
 }
 

@@ -1,6 +1,8 @@
 // Loads scene texts with the plugins of this folder.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -57,6 +59,20 @@ inline Loaded load(const std::string& text,
   for (const Diagnostic& d : diagnostics) loaded.findings.push_back(to_string(d));
   return loaded;
 }
+
+/// The scene; its findings are failures.
+inline Scene accepted(const Loaded& loaded) {
+  for (const std::string& finding : loaded.findings) ADD_FAILURE() << finding;
+  return loaded.scene.value_or(Scene{});
+}
+
+inline Scene accepted(const std::string& text,
+                      const std::vector<Override>& overrides = {}) {
+  return accepted(load(text, overrides));
+}
+
+/// kGood with more lines.
+inline Scene scene_with(const std::string& lines) { return accepted(kGood + lines); }
 
 /// A folder of its own that is removed with this object.
 class Folder {

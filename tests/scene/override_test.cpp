@@ -106,13 +106,13 @@ TEST(Override, AreAppliedInOrder) {
   EXPECT_EQ(loaded.scene->devices[0].placement.at, Eigen::Vector3d(1, 2, 4));
 }
 
-struct Bad {
+struct BadOverride {
   const char* path;
   const char* value;
   const char* finding;
 };
 
-const Bad kBad[] = {
+const BadOverride kBad[] = {
     {"devices.s3.at.x", "1", "devices.s3: there is no such member; did you mean 's1'?"},
     {"devices.camera.at.x", "1",
      "devices.camera: there is no such member; known: s1, s2"},
@@ -144,7 +144,7 @@ const Bad kBad[] = {
 };
 
 TEST(Override, SaysWhatIsWrongWithIt) {
-  for (const Bad& bad : kBad) {
+  for (const BadOverride& bad : kBad) {
     const Loaded loaded = load(kGood, {{bad.path, bad.value}});
     EXPECT_EQ(loaded.findings,
               std::vector<std::string>{std::string("--set ") + bad.path +

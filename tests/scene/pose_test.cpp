@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "delos/scene/scene.h"
@@ -11,7 +12,7 @@
 namespace delos {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 
 Eigen::Vector3d random_vector(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-3, 3);
@@ -22,9 +23,9 @@ TEST(RotationFromRpy, TurnsAboutXThenYThenZ) {
   // Quarter turns by hand: roll takes y to z, pitch takes z to x, yaw takes x to y.
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(),
                         z = Eigen::Vector3d::UnitZ();
-  EXPECT_TRUE((rotation_from_rpy({kPi / 2, 0, 0}) * y).isApprox(z, 1e-15));
-  EXPECT_TRUE((rotation_from_rpy({0, kPi / 2, 0}) * z).isApprox(x, 1e-15));
-  EXPECT_TRUE((rotation_from_rpy({0, 0, kPi / 2}) * x).isApprox(y, 1e-15));
+  EXPECT_TRUE((rotation_from_rpy({pi / 2, 0, 0}) * y).isApprox(z, 1e-15));
+  EXPECT_TRUE((rotation_from_rpy({0, pi / 2, 0}) * z).isApprox(x, 1e-15));
+  EXPECT_TRUE((rotation_from_rpy({0, 0, pi / 2}) * x).isApprox(y, 1e-15));
   std::mt19937 random(3);
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d a = random_vector(random);
@@ -74,7 +75,7 @@ TEST(PoseOf, NormalisesQuaternions) {
   placement.facing = QuaternionWxyz{{2, 0, 0, 2}};  // a quarter turn about z
   const Pose X = pose_of(placement);
   EXPECT_EQ(X.p, Eigen::Vector3d(1, 2, 3));
-  EXPECT_LT((X.R - rotation_from_rpy({0, 0, kPi / 2})).norm(), 1e-15);
+  EXPECT_LT((X.R - rotation_from_rpy({0, 0, pi / 2})).norm(), 1e-15);
   placement.facing = QuaternionWxyz{{1e-200, 0, 0, 1e-200}};
   EXPECT_LT((pose_of(placement).R - X.R).norm(), 1e-15);
 }
@@ -93,14 +94,14 @@ TEST(DevicePose, IsRelativeToTheGroup) {
   Group group;
   group.name = "rig";
   group.placement.at = {10, 0, 0};
-  group.placement.facing = Rpy{{0, 0, kPi / 2}};
+  group.placement.facing = Rpy{{0, 0, pi / 2}};
   scene.groups = {Group{"other", {}}, group};
   DeviceEntry device;
   device.placement.at = {1, 0, 0};
   EXPECT_EQ(device_pose(scene, device).p, Eigen::Vector3d(1, 0, 0));
   device.group = "rig";  // its x axis is the world's y
   EXPECT_LT((device_pose(scene, device).p - Eigen::Vector3d(10, 1, 0)).norm(), 1e-15);
-  EXPECT_LT((device_pose(scene, device).R - rotation_from_rpy({0, 0, kPi / 2})).norm(),
+  EXPECT_LT((device_pose(scene, device).R - rotation_from_rpy({0, 0, pi / 2})).norm(),
             1e-15);
 }
 

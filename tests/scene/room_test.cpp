@@ -4,22 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "delos/sampling/samples.h"
 
 namespace delos::test {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-Scene accepted(const Loaded& loaded) {
-  for (const std::string& finding : loaded.findings) ADD_FAILURE() << finding;
-  return loaded.scene.value_or(Scene{});
-}
-
-Scene accepted(const std::string& text, const std::vector<Override>& changes = {}) {
-  return accepted(load(text, changes));
-}
+using std::numbers::pi;
 
 AdaptiveSampling adaptive_of(const Scene& scene) {
   return std::get<AdaptiveSampling>(scene.samples.at(0).shape);
@@ -60,7 +52,7 @@ TEST(Room, TakesNearInTheMetricsUnit) {
   std::string text = room_with("near: 1 mm", "near: 180 deg");
   text = with(text, "q: [0.4, 0.4, 0.1]", "q: [1, 1, 1, 1, 1, 1], state: pose");
   text += "metric: sigma_orientation\n";
-  EXPECT_DOUBLE_EQ(*adaptive_of(accepted(text)).near_value, kPi);
+  EXPECT_DOUBLE_EQ(*adaptive_of(accepted(text)).near_value, pi);
 }
 
 TEST(Room, ReadsOccluders) {

@@ -9,12 +9,6 @@
 namespace delos::test {
 namespace {
 
-Scene scene_with(const std::string& lines) {
-  const Loaded loaded = load(kGood + lines);
-  EXPECT_EQ(loaded.findings, std::vector<std::string>{});
-  return loaded.scene.value();
-}
-
 TEST(Variables, AreNumbersByPath) {
   Scene scene = scene_with(
       "variables:\n"

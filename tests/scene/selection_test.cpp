@@ -11,12 +11,6 @@
 namespace delos::test {
 namespace {
 
-Scene scene_with(const std::string& lines) {
-  const Loaded loaded = load(kGood + lines);
-  EXPECT_EQ(loaded.findings, std::vector<std::string>{});
-  return loaded.scene.value();
-}
-
 CandidateScene written_out(const Scene& scene) {
   auto all = write_out_candidates(scene);
   EXPECT_EQ(all.index(), 0u);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numbers>
 #include <random>
 
 namespace delos {
@@ -18,7 +19,7 @@ struct Good {
 
 // Expected values by definition: 1 in = 0.0254 m, 1 ft = 0.3048 m, 1 deg = π/180 rad,
 // 0 °C = 273.15 K.
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 const Good kGoodQuantities[] = {
     {"0.5", "m", 0.5},
     {" -2 ", "m", -2},
@@ -31,9 +32,9 @@ const Good kGoodQuantities[] = {
     {"0.3 km", "m", 300},
     {"2 in", "m", 0.0508},
     {"10 ft", "m", 3.048},
-    {"60 deg", "rad", kPi / 3},
-    {"-90 deg", "rad", -kPi / 2},
-    {"180°", "rad", kPi},
+    {"60 deg", "rad", pi / 3},
+    {"-90 deg", "rad", -pi / 2},
+    {"180°", "rad", pi},
     {"1 mrad", "rad", 1e-3},
     {"1.5 rad", "rad", 1.5},
     {"100 Hz", "1/s", 100},
@@ -46,7 +47,7 @@ const Good kGoodQuantities[] = {
     {"7 m^2/s^3", "m^2/s^3", 7},
     {"7 m2 s-3", "m^2/s^3", 7},
     {"36 km/h", "m/s", 10},
-    {"30 deg/s", "rad/s", kPi / 6},
+    {"30 deg/s", "rad/s", pi / 6},
     {"640 px", "px", 640},
     {"1 pixel", "px", 1},
     {"5 %", "1", 0.05},
@@ -76,13 +77,13 @@ TEST(ParseQuantity, RoundsDecimalUnitsOnlyOnce) {
   }
 }
 
-struct Bad {
+struct BadQuantity {
   const char* text;
   const char* unit;
   const char* problem;
 };
 
-const Bad kBadQuantities[] = {
+const BadQuantity kBadQuantities[] = {
     {"50 Hz", "m", "'50 Hz' is a frequency; expected a length such as '50 mm'"},
     {"50 mm", "1/s", "'50 mm' is a length; expected a frequency such as '100 Hz'"},
     {"2 s", "1/s", "'2 s' is a time; expected a frequency such as '100 Hz'"},
@@ -118,7 +119,7 @@ const Bad kBadQuantities[] = {
 };
 
 TEST(ParseQuantity, SaysWhatIsWrong) {
-  for (const Bad& bad : kBadQuantities) {
+  for (const BadQuantity& bad : kBadQuantities) {
     const auto parsed = parse_quantity(bad.text, bad.unit);
     ASSERT_TRUE(std::holds_alternative<std::string>(parsed))
         << bad.text << " gave " << std::get<double>(parsed);

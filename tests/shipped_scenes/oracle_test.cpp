@@ -1,4 +1,5 @@
-// Every point that SciPy has worked out: tests/shipped_scenes/oracle.py writes oracle.csv.
+// Every point that SciPy has worked out: tests/shipped_scenes/oracle.py writes
+// oracle.csv.
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -8,13 +9,13 @@
 namespace delos::test {
 namespace {
 
-struct Row {
+struct SolvedPoint {
   Eigen::Vector3d at;
   double eigmax;
 };
 
-std::map<std::string, std::vector<Row>> oracle() {
-  std::map<std::string, std::vector<Row>> scenes;
+std::map<std::string, std::vector<SolvedPoint>> oracle() {
+  std::map<std::string, std::vector<SolvedPoint>> scenes;
   std::ifstream file(DELOS_ORACLE);
   std::string line;
   std::getline(file, line);
@@ -23,7 +24,7 @@ std::map<std::string, std::vector<Row>> oracle() {
     std::istringstream cells(line);
     std::string name, cell;
     std::getline(cells, name, ',');
-    Row row;
+    SolvedPoint row;
     for (double& c : row.at) {
       std::getline(cells, cell, ',');
       c = std::stod(cell);
@@ -42,7 +43,7 @@ TEST(Oracle, AgreesAtEveryPoint) {
   for (const auto& [name, rows] : scenes) {
     EXPECT_GE(rows.size(), 35u) << name;
     Samples samples;
-    for (const Row& row : rows) samples.points.push_back(row.at);
+    for (const SolvedPoint& row : rows) samples.points.push_back(row.at);
     samples.parts = {{"", 0, rows.size(), ScatteredShape{}}};
     const Field field = field_of(load(name), samples);
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -11,14 +11,14 @@
 namespace delos::test {
 namespace {
 
-struct Row {
+struct SeenPoint {
   Eigen::Vector3d at;
   double coverage;
 };
 
 /// Rows by scene and the target's yaw, degrees.
-std::map<std::pair<std::string, double>, std::vector<Row>> visibility() {
-  std::map<std::pair<std::string, double>, std::vector<Row>> scenes;
+std::map<std::pair<std::string, double>, std::vector<SeenPoint>> visibility() {
+  std::map<std::pair<std::string, double>, std::vector<SeenPoint>> scenes;
   std::ifstream file(DELOS_VISIBILITY);
   std::string line;
   std::getline(file, line);
@@ -39,9 +39,9 @@ std::map<std::pair<std::string, double>, std::vector<Row>> visibility() {
   return scenes;
 }
 
-Samples samples_of(const std::vector<Row>& rows) {
+Samples samples_of(const std::vector<SeenPoint>& rows) {
   Samples samples;
-  for (const Row& row : rows) samples.points.push_back(row.at);
+  for (const SeenPoint& row : rows) samples.points.push_back(row.at);
   samples.parts = {{"", 0, rows.size(), ScatteredShape{}}};
   return samples;
 }

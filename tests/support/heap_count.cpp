@@ -1,4 +1,6 @@
-#include "device/heap_count.h"
+#include "support/heap_count.h"
+
+#include <cerrno>
 
 #include "delos/api.h"
 
@@ -47,6 +49,11 @@ DELOS_API void* realloc(void* p, std::size_t size) {
 DELOS_API void* aligned_alloc(std::size_t alignment, std::size_t size) {
   note();
   return __libc_memalign(alignment, size);
+}
+DELOS_API int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
+  note();
+  *out = __libc_memalign(alignment, size);
+  return *out == nullptr ? ENOMEM : 0;
 }
 }
 
