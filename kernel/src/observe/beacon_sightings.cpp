@@ -6,6 +6,7 @@
 #include <span>
 
 #include "delos/model/lanes.h"
+#include "observe/answers.h"
 #include "observe/beacon_choice.h"
 #include "observe/whiten.h"
 #include "rig/sight.h"
@@ -51,7 +52,11 @@ struct ViewSightings {
   BeaconSightings& out;
 
   void add() const {
-    if (placed.device->observe_view_lanes(view, out.look.lanes, out.lane_rows)) {
+    const bool in_lanes = ask(placed, [&](const Device& device) {
+      return device.observe_view_lanes(view, out.look.lanes, out.lane_rows);
+    });
+    if (in_lanes) {
+      check_rows(placed, out.lane_rows);
       add_lanes();
     } else {
       add_singly();
@@ -86,6 +91,7 @@ struct ViewSightings {
         for (int r = 0; r < rows.rows; ++r) {
           const double variance = rows.variance[r][l];
           const bool noisy = variance >= std::numeric_limits<double>::min();
+          if (!noisy) check_perfect(placed, variance);
           pose_row.fill(
               Eigen::Vector3d(rows.H[r][0][l], rows.H[r][1][l], rows.H[r][2][l]),
               out.rows.emplace_back(SightingRow{{}, noisy ? variance : 0}));
@@ -99,7 +105,11 @@ struct ViewSightings {
     for (int l = 0; l < lanes.count; ++l) {
       out.target.p_ST = {lanes.p[0][l], lanes.p[1][l], lanes.p[2][l]};
       out.target.n_ST = {lanes.n[0][l], lanes.n[1][l], lanes.n[2][l]};
-      if (!placed.device->observe_view(view, out.target, out.observation)) continue;
+      const bool sees = ask(placed, [&](const Device& device) {
+        return device.observe_view(view, out.target, out.observation);
+      });
+      if (!sees) continue;
+      check_answer(placed, out.observation, 3);
       if (!in_light(l)) continue;
       append(l, [&](const PoseRow& pose_row) {
         whiten(

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "delos/rig/system.h"
+#include "observe/answers.h"
 #include "observe/beacon_sightings.h"
 #include "observe/whiten.h"
 #include "rig/sight.h"
@@ -25,6 +26,16 @@ inline void turn(const Observation& o, int from, const Eigen::Matrix3d& R_SW, in
   for (Eigen::Index i = 0; i < o.H.rows(); ++i) {
     rows.block<1, 3>(i, to).noalias() = o.H.block<1, 3>(i, from) * R_SW;
   }
+}
+
+/// observe(), checked.
+/// @throws DeviceFault
+inline bool observe_target(const PlacedDevice& placed, Eigen::Index columns,
+                           const Target& target, Observation& out) {
+  if (!ask(placed, [&](const Device& device) { return device.observe(target, out); }))
+    return false;
+  check_answer(placed, out, columns);
+  return true;
 }
 
 /// Visit every sighting of a beacon that is used: its share makes its noise larger.
@@ -74,7 +85,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       for (const Eigen::Vector3d& marker : system.markers) {
         const Eigen::Vector3d arm = X_WT.R * marker;  // in W, from the target's origin
         target.p_ST.noalias() = R_SW * (X_WT.p + arm - placed.X_WS.p);
-        if (!placed.device->observe(target, o)) continue;
+        if (!observe_target(placed, 3, target, o)) continue;
         if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, arm)) continue;
         seen = true;
         scratch.rows.resize(o.H.rows(), columns);
@@ -93,10 +104,11 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
     case Span::motion: {
       target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
       target.R_ST.noalias() = R_SW * X_WT.R;
-      if (!placed.device->observe(target, o)) return false;
+      const bool pose = placed.device->span() == Span::pose;
+      if (!observe_target(placed, pose ? 6 : 18, target, o)) return false;
       if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0})) return false;
       scratch.rows.setZero(o.H.rows(), columns);
-      const int orders = placed.device->span() == Span::pose ? 1 : layout.order;
+      const int orders = pose ? 1 : layout.order;
       for (int k = 0; k < orders; ++k) {
         if (position) turn(o, 6 * k, R_SW, d * k, scratch.rows);
         if (orientation) turn(o, 6 * k + 3, R_SW, d * k + theta, scratch.rows);
@@ -108,7 +120,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
       target.p_ST.noalias() = R_SW * (X_WT.p - placed.X_WS.p);
       target.R_ST.noalias() = R_SW * X_WT.R;
       target.state.setZero(layout.size());
-      if (!placed.device->observe(target, o)) return false;
+      if (!observe_target(placed, layout.size(), target, o)) return false;
       if (may_hide && !in_sight(system, placed.X_WS.p, X_WT, {0, 0, 0})) return false;
       scratch.rows = o.H;
       visit(scratch.rows, o.R);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "observe/answers.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -118,7 +119,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
   return !placed.beacons && placed.device->span() == Span::point &&
-         placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
+         observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 
 bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
@@ -136,7 +137,7 @@ bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose&
       line.visibility = 0;
       continue;
     }
-    if (!placed.device->observe_smoothly(p, rows)) return false;
+    if (!observe_smoothly(placed, p, rows)) return false;
     double v = weight * view(rows.margin);
     if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
     v *= line.visibility;
@@ -181,7 +182,7 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
     const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS.p;
     const Eigen::Vector3d p = R_WS.transpose() * from;
-    if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
+    if (p.isZero(0) || !observe_smoothly(placed, p, rows)) continue;
     const double v = view(rows.margin);
     if (v == 0) continue;
 
