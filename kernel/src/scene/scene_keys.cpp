@@ -65,6 +65,7 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
     {"name", Need::optional, "a title",
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (auto name = r.word(p)) d.scene.name = std::move(*name);
+       if (has_control(d.scene.name)) r.error(p, "holds a control character");
      },
      [](const SceneDraft& d) -> Written {
        if (d.scene.name.empty()) return std::nullopt;
