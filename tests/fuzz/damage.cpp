@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/common_interface_defs.h>
+#endif
 
 #include <cstdlib>
 #include <ctime>
@@ -28,6 +31,18 @@ void die(int signal) {
   leave_text();
   ::signal(signal, SIG_DFL);
   raise(signal);
+}
+
+/// Leave the text whichever way this process ends.
+void watch(const std::string& name) {
+  g_file = "fuzz-" + name;
+#ifdef __SANITIZE_ADDRESS__
+  __sanitizer_set_death_callback(leave_text);  // it reports signals itself
+  ::signal(SIGALRM, die);
+#else
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGALRM})
+    ::signal(signal, die);
+#endif
 }
 
 double setting(const char* name, double otherwise) {
@@ -115,9 +130,7 @@ class Damager {
 void damage(const std::string& name, const std::vector<std::string>& seeds,
             const std::vector<std::string>& words, const Taker& take) {
   for (const std::string& seed : seeds) ASSERT_EQ(take(seed), "") << seed;
-  g_file = "fuzz-" + name;
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGALRM})
-    ::signal(signal, die);
+  watch(name);
   const double seconds = setting("DELOS_FUZZ_SECONDS", 2);
   Damager damaged(seeds, words, static_cast<unsigned>(setting("DELOS_FUZZ_SEED", 1)));
   const std::clock_t start = std::clock();
@@ -134,8 +147,6 @@ void damage(const std::string& name, const std::vector<std::string>& seeds,
     leave_text();
     FAIL() << wrong << "\nafter " << count << " texts, by what is in " << g_file;
   }
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGALRM})
-    ::signal(signal, SIG_DFL);
   testing::Test::RecordProperty("texts", static_cast<int>(count));
   EXPECT_GT(count, 20u);
 }
