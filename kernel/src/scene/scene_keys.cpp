@@ -13,6 +13,7 @@
 #include "scene/search_keys.h"
 #include "scene/surface_keys.h"
 #include "scene/words.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {
