@@ -104,8 +104,7 @@ int run(const CheckCommand& command) {
       print(checked);
   }
   // A file's name may hold any bytes.
-  if (command.options.json)
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  if (command.options.json) print_document(json);
   return exit_code;
 }
 

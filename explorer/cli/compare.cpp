@@ -244,7 +244,7 @@ int run(const CompareCommand& command) {
     json["differences"] = Json::array();
     for (const Comparison& c : comparisons) json["differences"].push_back(to_json(c));
   }
-  std::cout << json.dump(2) << "\n";
+  print_document(json);
   return kDone;
 }
 

@@ -1,6 +1,5 @@
 #include "consensus.h"
 
-#include <iomanip>
 #include <map>
 #include <ostream>
 #include <stdexcept>
@@ -64,8 +63,8 @@ void print_consensus(std::ostream& out, const StudyConsensus& found) {
       << counted(found.starts, "start") << ", by " << objective_text(found.scene)
       << " on the samples of the search\n";
   for (const ConsensusLayout& l : layouts)
-    out << "  " << std::left << std::setw(12)
-        << format_quantity(objective_shown(found.scene, l.objective), unit)
+    out << "  "
+        << cell(format_quantity(objective_shown(found.scene, l.objective), unit), 12)
         << format_quantity(l.distance, "m") << " from the best\n";
   if (layouts.size() < 2) {
     out << "One layout says nothing of what is settled: begin with more --starts.\n";
@@ -74,9 +73,8 @@ void print_consensus(std::ostream& out, const StudyConsensus& found) {
   out << "In them, and how much a device varies relative to random designs\n";
   for (const ConsensusDevice& d : found.consensus.devices) {
     const std::string part = format_quantity(100 * d.part_of_chance, "1", 2) + " %";
-    out << "  " << std::left << std::setw(18) << d.name << std::setw(9)
-        << to_string(d.settled) << std::setw(8) << part << "moves by "
-        << format_quantity(d.shift, "m") << ", turns by "
+    out << "  " << cell(d.name, 18) << cell(to_string(d.settled), 9) << cell(part, 8)
+        << "moves by " << format_quantity(d.shift, "m") << ", turns by "
         << format_quantity(d.turn, "rad") << "\n";
   }
 }

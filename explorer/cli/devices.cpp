@@ -1,11 +1,11 @@
 // delos devices: the device plugins and their parameter tables.
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "command.h"
 #include "delos/text/units.h"
 #include "json.h"
+#include "summary.h"
 
 namespace delos::cli {
 namespace {
@@ -68,7 +68,7 @@ Json to_json(const PluginInfo& info) {
 }
 
 /// '|' would end a cell.
-std::string cell(std::string text) {
+std::string escaped(std::string text) {
   for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2) {
     text.insert(i, "\\");
   }
@@ -83,8 +83,8 @@ void print_markdown(const PluginInfo& info) {
   for (std::uint32_t i = 0; i < info.n_params; ++i) {
     const ParamSpec& p = info.params[i];
     std::cout << "| `" << p.name << "` | " << word(p.kind) << " | " << p.unit << " | "
-              << cell(default_of(p)) << " | " << cell(range_of(p)) << " | "
-              << cell(p.help) << " |\n";
+              << escaped(default_of(p)) << " | " << escaped(range_of(p)) << " | "
+              << escaped(p.help) << " |\n";
   }
 }
 
@@ -92,7 +92,7 @@ void print_plain(const PluginInfo& info) {
   std::cout << info.id << " " << info.version << ": " << info.summary << "\n";
   for (std::uint32_t i = 0; i < info.n_params; ++i) {
     const ParamSpec& p = info.params[i];
-    std::cout << "  " << std::left << std::setw(12) << p.name << p.help << "\n"
+    std::cout << "  " << cell(p.name, 12) << p.help << "\n"
               << std::string(14, ' ') << word(p.kind) << ", unit " << p.unit
               << ", default " << default_of(p) << ", range " << range_of(p) << "\n";
   }
@@ -102,7 +102,7 @@ int show_one(const DevicesCommand& command, PluginRegistry& plugins) {
   const PluginLoad& load = plugins.find(command.id);
   if (!load.info) throw Failure{kDiagnostics, load.error};
   if (command.json) {
-    std::cout << to_json(*load.info).dump(2) << "\n";
+    print_document(to_json(*load.info));
   } else if (command.markdown) {
     print_markdown(*load.info);
   } else {
@@ -124,11 +124,10 @@ int show_all(const DevicesCommand& command, PluginRegistry& plugins) {
       print_markdown(*load.info);
       std::cout << "\n";
     } else {
-      std::cout << std::left << std::setw(18) << load.info->id << load.info->summary
-                << "\n";
+      std::cout << cell(load.info->id, 18) << load.info->summary << "\n";
     }
   }
-  if (command.json) std::cout << json.dump(2) << "\n";
+  if (command.json) print_document(json);
   return exit_code;
 }
 
@@ -146,6 +145,13 @@ void add_devices_command(CLI::App& program, int& exit_code) {
   app->add_flag("--markdown", command->markdown, "As Markdown tables")->excludes(json);
   app->footer("Examples:\n  delos devices\n  delos devices pinhole_camera --markdown");
   app->callback([command, &exit_code] {
+    for (const auto& folder : command->plugin_dirs) {
+      std::error_code error;
+      const std::filesystem::directory_iterator readable(folder, error);
+      if (error)
+        throw Failure{kDiagnostics,
+                      "--plugin-dir " + folder.string() + ": " + error.message()};
+    }
     PluginRegistry plugins(plugin_folders(command->plugin_dirs));
     exit_code =
         command->id.empty() ? show_all(*command, plugins) : show_one(*command, plugins);

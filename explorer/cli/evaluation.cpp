@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "delos/model/infinity.h"
+#include "delos/text/format.h"
 #include "progress.h"
 
 namespace delos::cli {
@@ -50,6 +52,22 @@ Samples planned_samples(const Scene& scene) {
   Samples samples;
   samples.parts.push_back({"", 0, 0, OctreeShape{}});
   return samples;
+}
+
+std::string missed_by_slice(const Scene& scene, const Samples& samples, double z) {
+  double least = kInfinity, greatest = -kInfinity;
+  if (const AdaptiveSampling* box = adaptive(scene)) {
+    least = box->min.z();
+    greatest = box->max.z();
+  }
+  for (const Eigen::Vector3d& p : samples.points) {
+    least = std::min(least, p.z());
+    greatest = std::max(greatest, p.z());
+  }
+  const double rounding = 1e-9 * std::max(std::abs(least), std::abs(greatest));
+  if (z >= least - rounding && z <= greatest + rounding) return "";
+  return "the field reaches from z = " + format_quantity(least, "m") + " to " +
+         format_quantity(greatest, "m");
 }
 
 std::vector<Samples> level_planes(const Scene& scene) {

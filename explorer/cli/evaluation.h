@@ -18,6 +18,11 @@ struct Evaluation {
 /// The samples that a scene will have; of adaptive ones, an octree without nodes.
 [[nodiscard]] Samples planned_samples(const Scene& scene);
 
+/// Where a level plane misses all that is sampled, from where to where that reaches;
+/// else empty.
+[[nodiscard]] std::string missed_by_slice(const Scene& scene, const Samples& samples,
+                                          double z);
+
 /// Of an adaptive scene, three level planes to draw it on; else none.
 [[nodiscard]] std::vector<Samples> level_planes(const Scene& scene);
 

@@ -85,6 +85,10 @@ int run(const FieldCommand& command) {
     }
     picture.slice_z = std::get<double>(z);
     picture.has_slice = true;
+    if (const std::string miss =
+            missed_by_slice(loaded.scene, samples, picture.slice_z);
+        !miss.empty())
+      throw Failure{kUsage, "--slice '" + command.slice + "': " + miss};
   }
 
   const Interrupt interrupt;
@@ -102,7 +106,7 @@ int run(const FieldCommand& command) {
   if (command.options.json && command.verify) {
     Json json = Json::parse(field_json(field));
     json["verification"] = to_json(verification);
-    std::cout << json.dump(2) << "\n";
+    print_document(json);
   } else if (command.options.json) {
     std::cout << field_json(field);
   } else {

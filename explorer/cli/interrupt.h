@@ -1,12 +1,13 @@
-// Ctrl-C as a request: the first one stops the work cleanly, the second one ends at
-// once.
+// Ctrl-C, or a terminal that is closed, as a request: the first one stops the work
+// cleanly, the second one ends at once.
 #pragma once
 
 #include <atomic>
 
 namespace delos::cli {
 
-/// While one lives, SIGINT and SIGTERM set a flag instead of ending the program.
+/// While one lives, SIGINT, SIGTERM and SIGHUP set a flag instead of ending the
+/// program.
 class Interrupt {
  public:
   Interrupt();

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 namespace delos::cli {
@@ -11,6 +12,11 @@ using Json = nlohmann::ordered_json;
 
 /// A number; null where it isn't finite, since JSON has no infinity.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// A document on stdout; bytes that aren't UTF-8, of names and files, become U+FFFD.
+inline void print_document(const Json& json) {
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
 
 /// A list of numbers.
 template <class Vector>

@@ -1,13 +1,29 @@
 // delos: the command line. Each command stands in a file of its own.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <iostream>
+#include <system_error>
 
 #include "command.h"
+#include "delos/device/faults.h"
 
-int main(int argc, char** argv) {
-  using namespace delos::cli;
+namespace delos::cli {
+namespace {
+
+/// What a command prints may leave as late as here, and find the disk full.
+/// @returns the exit code: what was lost wasn't done
+int ended(int exit_code) {
+  errno = 0;
+  if (std::cout.flush()) return exit_code;
+  std::cerr << "delos: the output can't be written";
+  if (errno != 0) std::cerr << ": " << std::generic_category().message(errno);
+  std::cerr << "\n";
+  return exit_code == kDone ? kDiagnostics : exit_code;
+}
+
+int run(int argc, char** argv) {
   CLI::App program{
       "Delos computes the best accuracy that any algorithm could reach with a "
       "tracking\n"
@@ -24,7 +40,8 @@ int main(int argc, char** argv) {
       "  delos optimize scenes/09-camera-room.yaml    better places for its cameras\n"
       "  delos select scenes/12-ceiling-anchors.yaml  30 of 144 spots, with a proof\n"
       "  delos devices pinhole_camera                 a device's parameters\n"
-      "Exit codes: 0 done, 1 scene or plugin at fault, 2 usage, 3 cancelled, 70 "
+      "Exit codes: 0 done, 1 scene, plugin or output at fault, 2 usage, 3 cancelled, "
+      "70 "
       "internal.");
 
   int exit_code = kDone;
@@ -41,7 +58,7 @@ int main(int argc, char** argv) {
   add_demo_command(program, exit_code);
   try {
     program.parse(argc, argv);
-    return exit_code;
+    return ended(exit_code);
   } catch (const CLI::ParseError& error) {
     const auto commands = program.get_subcommands({});
     const bool known =
@@ -53,12 +70,20 @@ int main(int argc, char** argv) {
                 << "' is not a command; delos --help lists them\n";
       return kUsage;
     }
-    return program.exit(error, std::cout, std::cerr) == 0 ? kDone : kUsage;
+    return ended(program.exit(error, std::cout, std::cerr) == 0 ? kDone : kUsage);
   } catch (const Failure& failure) {
     if (!failure.message.empty()) std::cerr << "delos: " << failure.message << "\n";
     return failure.code;
+  } catch (const DeviceFault& fault) {
+    std::cerr << "delos: " << fault.what() << "\n";
+    return kDiagnostics;
   } catch (const std::exception& error) {
     std::cerr << "delos: internal error: " << error.what() << "\n";
     return kInternal;
   }
 }
+
+}  // namespace
+}  // namespace delos::cli
+
+int main(int argc, char** argv) { return delos::cli::run(argc, argv); }

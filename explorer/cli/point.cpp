@@ -113,9 +113,9 @@ void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
     line.nearest = std::min(line.nearest, s.distance);
   }
   for (const auto& [name, line] : lines) {
-    out << "  " << std::left << std::setw(44) << name << counted(line.beacons, "beacon")
-        << " from " << format_quantity(line.nearest, "m") << ", "
-        << std::setprecision(3) << line.share << " sightings an update\n";
+    out << "  " << cell(name, 44) << counted(line.beacons, "beacon") << " from "
+        << format_quantity(line.nearest, "m") << ", " << std::setprecision(3)
+        << line.share << " sightings an update\n";
   }
 }
 
@@ -140,14 +140,14 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";
   for (const MetricValue& m : report.metrics) {
-    out << "  " << std::left << std::setw(18) << m.metric.name
+    out << "  " << cell(m.metric.name, 18)
         << (std::isfinite(m.value) ? format_quantity(m.value, m.metric.unit)
                                    : std::string("not observed"))
         << "\n";
   }
   out << "Without this device alone, " << loaded.metric.name << " rises by\n";
   for (const DeviceShare& d : report.devices) {
-    out << "  " << std::left << std::setw(18) << d.name;
+    out << "  " << cell(d.name, 18);
     if (!d.visible) {
       out << "(doesn't see the point)";
     } else if (!std::isfinite(d.share)) {
@@ -179,7 +179,7 @@ int run(const PointCommand& command) {
     }
   }();
   if (command.options.json) {
-    std::cout << to_json(report, loaded, rpy).dump(2) << "\n";
+    print_document(to_json(report, loaded, rpy));
   } else {
     print(std::cout, report, loaded);
   }

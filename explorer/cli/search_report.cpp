@@ -158,8 +158,8 @@ void print_search(std::ostream& out, const OptimizeResult& result,
     const SceneNumber old = number_of(before, v.path, plugins),
                       now = number_of(after, v.path, plugins);
     const auto text = [&](double value) { return format_quantity(value, now.unit, 4); };
-    out << "  " << std::left << std::setw(36) << v.path << std::setw(12)
-        << text(*old.value) << " -> " << text(*now.value)
+    out << "  " << cell(v.path, 36) << cell(text(*old.value), 12) << " -> "
+        << text(*now.value)
         << (*now.value == v.lower   ? "  (its least)"
             : *now.value == v.upper ? "  (its greatest)"
                                     : "")
@@ -188,16 +188,16 @@ void print_answers(std::ostream& out, const Answers& answers, Scene scene,
   out << "For under " << 100 * answers.loss << " % loss, alone, may move by\n";
   for (const VariableAnswer& v : answers.variables) {
     const std::string unit = number_of(scene, v.path, plugins).unit;
-    out << "  " << std::left << std::setw(36) << v.path << "-"
-        << format_quantity(v.down, unit) << (v.down_is_bound ? " (its least)" : "")
-        << " to +" << format_quantity(v.up, unit)
-        << (v.up_is_bound ? " (its greatest)" : "") << "\n";
+    out << "  " << cell(v.path, 36) << "-" << format_quantity(v.down, unit)
+        << (v.down_is_bound ? " (its least)" : "") << " to +"
+        << format_quantity(v.up, unit) << (v.up_is_bound ? " (its greatest)" : "")
+        << "\n";
   }
   if (answers.devices.empty()) return;
   out << "Where one device fails, the objective rises by\n";
   for (const DeviceAnswer& d : answers.devices)
-    out << "  " << std::left << std::setw(18) << d.name << std::setprecision(3)
-        << 100 * d.without << " %\n";
+    out << "  " << cell(d.name, 18) << std::setprecision(3) << 100 * d.without
+        << " %\n";
 }
 
 SearchLine::SearchLine(const Scene& scene)
@@ -239,7 +239,7 @@ int finish_search(const std::function<OptimizeResult()>& search, SearchLine& lin
     Json document = search_json(result, plugins);
     document["study"] = study.empty() ? Json() : Json(study.string());
     if (answers) document["answers"] = answers_json(*answers);
-    std::cout << document.dump(2) << "\n";
+    print_document(document);
   } else {
     print_search(std::cout, result, plugins);
     if (answers) print_answers(std::cout, *answers, result.scene, plugins);

@@ -53,7 +53,7 @@ class BoundLine {
 template <class Print>
 void show(const SelectCommand& command, const Json& document, Print&& print) {
   if (command.options.json)
-    std::cout << document.dump(2) << "\n";
+    print_document(document);
   else
     print();
 }

@@ -78,7 +78,7 @@ Json select_json(const SelectResult& result) {
 
 void print_selection(std::ostream& out, const SelectResult& r) {
   const auto line = [&](const char* label) -> std::ostream& {
-    return out << "  " << std::left << std::setw(14) << label;
+    return out << "  " << cell(label, 14);
   };
   out << r.all.scene.name << ": " << r.chosen.size() << " of "
       << counted(r.all.candidates.size(), "candidate") << "\n";
@@ -141,7 +141,7 @@ void print_curve(std::ostream& out, const CountCurve& curve) {
   out << curve.all.scene.name << ": " << curve.quantity << "\n"
       << "  count  found         at best       gap\n";
   for (const CountPoint& p : curve.points)
-    out << "  " << std::left << std::setw(7) << p.count
+    out << "  " << cell(std::to_string(p.count), 7)
         << cell(format_quantity(p.value, curve.unit, 4), 14)
         << cell(format_quantity(p.lower_bound, curve.unit, 4), 14)
         << percent(gap_of(p.value, p.lower_bound)) << "\n";
@@ -166,7 +166,7 @@ void print_removals(std::ostream& out, const RemovalOrder& order) {
       << format_quantity(order.all_chosen, order.unit, 4) << "\n"
       << "  left   value         at best       by removing\n";
   for (const Removal& r : order.removals)
-    out << "  " << std::left << std::setw(7) << r.left
+    out << "  " << cell(std::to_string(r.left), 7)
         << cell(format_quantity(r.value, order.unit, 4), 14)
         << cell(format_quantity(r.lower_bound, order.unit, 4), 14)
         << order.all.candidates[r.candidate].name << "\n";

@@ -57,7 +57,7 @@ Json to_json(const StudySummary& s) {
 void show(const Study& study, const SceneOptions& options) {
   const StudySummary s = study.summary();
   if (options.json) {
-    std::cout << to_json(s).dump(2) << "\n";
+    print_document(to_json(s));
     return;
   }
   const std::string unit = objective_unit(study.scene());
@@ -129,7 +129,7 @@ int run(StudyCommand& command) {
       const StudyConsensus found =
           study_consensus(study, plugins, command.round, command.most);
       if (command.options.json)
-        std::cout << consensus_json(found).dump(2) << "\n";
+        print_document(consensus_json(found));
       else
         print_consensus(std::cout, found);
     } else if (command.action == "export") {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
@@ -174,16 +173,16 @@ void print(std::ostream& out, const Json& json) {
   };
   const bool of_limit = json.contains("limit");
   out << json["scene"].get<std::string>() << "\n"
-      << std::left << std::setw(14) << (of_limit ? "limit" : "devices") << std::setw(14)
-      << (of_limit ? "used" : "price") << json["objective"]["name"].get<std::string>()
-      << "\n";
+      << cell(of_limit ? "limit" : "devices", 14)
+      << cell(of_limit ? "used" : "price", 14)
+      << json["objective"]["name"].get<std::string>() << "\n";
   for (const Json& point : json["points"]) {
     const std::string of = of_limit ? json["limit"]["unit"].get<std::string>() : "1";
     const auto text = [&](const char* key, const std::string& in) {
       return format_quantity(point[key].get<double>(), in, 4);
     };
-    out << std::setw(14) << text(of_limit ? "limit" : "devices", of) << std::setw(14)
-        << text(of_limit ? "used" : "price", of) << std::setw(12) << objective(point)
+    out << cell(text(of_limit ? "limit" : "devices", of), 14)
+        << cell(text(of_limit ? "used" : "price", of), 14) << cell(objective(point), 12)
         << (!point["kept"].get<bool>() ? "constraints NOT kept"
             : of_limit && point["dominated"].get<bool>()
                 ? "no better than a tighter limit"
@@ -219,7 +218,7 @@ int run(TradeoffCommand& command) {
     throw Failure{kDiagnostics, failure.what()};
   }
   if (command.options.json)
-    std::cout << json.dump(2) << "\n";
+    print_document(json);
   else
     print(std::cout, json);
   if (!interrupt.requested()) return kDone;

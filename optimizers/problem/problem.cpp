@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "delos/device/faults.h"
 #include "delos/field/adaptive.h"
 #include "delos/model/infinity.h"
 #include "problem/guess.h"
@@ -213,7 +214,7 @@ Score Problem::score(std::span<const double> x) {
   Score score{kInfinity, std::vector<double>(s.limits.size(), -kInfinity)};
   try {
     s.build(x);
-  } catch (const std::exception&) {
+  } catch (const Unbuildable&) {
     return score;  // no such device, or no such place: as bad as can be
   }
   score.objective = s.robust_objective();
@@ -231,7 +232,7 @@ std::vector<double> Problem::place_slacks(std::span<const double> x) {
   std::vector<double> slacks(s.geometry.limits().size(), -kInfinity);
   try {
     s.geometry.slacks(s.scene(), slacks.data());
-  } catch (const std::domain_error&) {
+  } catch (const Unbuildable&) {
     // A place that isn't there keeps nothing.
   }
   return slacks;

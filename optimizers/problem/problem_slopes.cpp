@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delos/device/faults.h"
 #include "delos/model/infinity.h"
 #include "problem/problem_state.h"
 #include "problem/worst_case.h"
@@ -58,7 +59,7 @@ void Problem::State::soft_values(std::span<const double> x, double width, Score&
   out = {kInfinity, std::vector<double>(limits.size(), -kInfinity)};
   try {
     build(x);
-  } catch (const std::exception&) {
+  } catch (const Unbuildable&) {
     return;
   }
   out.objective = soft_robust_objective(x, width, slope);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delos/device/faults.h"
 #include "delos/optimize/layout.h"
 #include "problem/search_samples.h"
 #include "search/random_point.h"
@@ -75,7 +76,7 @@ Consensus consensus(const Scene& scene, PluginRegistry& plugins,
     for (double& value : x) value = unit();
     try {
       by_chance.push_back(match_layouts(kinds, best, layout(x), middle));
-    } catch (const std::domain_error&) {
+    } catch (const Unbuildable&) {
       // Surfaces may have holes.
     }
   }

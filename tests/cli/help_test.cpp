@@ -17,8 +17,9 @@ TEST(Help, ListsEveryCommandAndTheExitCodes) {
   for (const std::string& command : kCommands) {
     EXPECT_NE(done.out.find("\n  " + command + " "), std::string::npos) << command;
   }
-  EXPECT_NE(done.out.find("0 done, 1 scene or plugin at fault, 2 usage, 3 cancelled"),
-            std::string::npos);
+  EXPECT_NE(
+      done.out.find("0 done, 1 scene, plugin or output at fault, 2 usage, 3 cancelled"),
+      std::string::npos);
 }
 
 /// Each command's help ends with a line that can be typed.

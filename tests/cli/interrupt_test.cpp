@@ -87,9 +87,11 @@ TEST_P(Interrupted, FieldKeepsWhatItReached) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGINT, SIGTERM),
+INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& i) {
-                           return i.param == SIGINT ? "CtrlC" : "Termination";
+                           return i.param == SIGINT    ? "CtrlC"
+                                  : i.param == SIGTERM ? "Termination"
+                                                       : "HangUp";
                          });
 
 /// Half a comparison says nothing.

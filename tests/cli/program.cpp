@@ -79,11 +79,11 @@ Json Finished::json() const {
 }
 
 Running::Running(const std::vector<std::string>& arguments,
-                 const std::filesystem::path& at) {
+                 const std::filesystem::path& at, std::string out) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  const std::string out = (streams_.path() / "out").string();
+  if (out.empty()) out = (streams_.path() / "out").string();
   const std::string err = (streams_.path() / "err").string();
   const int flags = O_WRONLY | O_CREAT | O_TRUNC;
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
@@ -130,9 +130,9 @@ Finished Running::wait() {
   return finished;
 }
 
-Finished run(const std::vector<std::string>& arguments,
-             const std::filesystem::path& at) {
-  return Running(arguments, at).wait();
+Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& at,
+             const std::string& out) {
+  return Running(arguments, at, out).wait();
 }
 
 }  // namespace delos::test

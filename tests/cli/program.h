@@ -49,8 +49,9 @@ struct Finished {
 class Running {
  public:
   /// @param at working folder; empty: the test's
+  /// @param out where stdout goes; empty: a file of this object
   explicit Running(const std::vector<std::string>& arguments,
-                   const std::filesystem::path& at = {});
+                   const std::filesystem::path& at = {}, std::string out = {});
   ~Running();
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -70,6 +71,6 @@ class Running {
 
 /// Run it to its end.
 Finished run(const std::vector<std::string>& arguments,
-             const std::filesystem::path& at = {});
+             const std::filesystem::path& at = {}, const std::string& out = {});
 
 }  // namespace delos::test

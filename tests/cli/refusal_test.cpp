@@ -70,7 +70,8 @@ std::vector<Bad> bad_scenes() {
       {"EmptySample", good_with(points, "points: []"),
        "8:11: error: sample.points: the list is empty; give at least one"},
       {"MissingFile", good_with(points, "file: nowhere.ptl"),
-       "8:9: error: sample.file: there is no readable file 'nowhere.ptl'"},
+       "8:9: error: sample.file: there is no readable file 'nowhere.ptl': No such file "
+       "or directory"},
       // 1001³ samples of 40 bytes; (1/0.0028 → 357 + 1)³ = 45.9 million are below 50.
       {"BillionPoints",
        good_with(points, "volume: {min: [0, 0, 0], max: [1, 1, 1], step: 0.001}"),

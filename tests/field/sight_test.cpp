@@ -1,4 +1,6 @@
 // What hides: rooms whose shadows are known in closed form.
+#include "rig/sight.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -158,6 +160,45 @@ TEST(Sight, PointsInsideSolidsAreCountedAndLeftOut) {
   EXPECT_DOUBLE_EQ(s.mean, 0.5);
 }
 
+// What is said of a whole box holds at every point of it, whatever hides where: bodies
+// in the room, bodies on the target, and both.
+TEST(Sight, OfABoxHoldsAtAllItsPoints) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> place(-3, 3), size(0.02, 0.6), part(0, 1);
+  const Occluders wall({make_box({1, -50, 0}, {1.01, 50, 50})});
+  const Occluders plate({make_box({0.1, -0.5, -0.5}, {0.12, 0.5, 0.5})});
+  System system = one_device();
+  for (const auto& [in_world, on_target] :
+       {std::pair(wall, Occluders()), std::pair(Occluders(), plate),
+        std::pair(wall, plate)}) {
+    system.in_world = in_world;
+    system.on_target = on_target;
+    int said[3] = {};
+    for (int i = 0; i < 3000; ++i) {
+      const Eigen::Matrix3d R =
+          rotation_from_rpy({3 * part(random), 3 * part(random), 3 * part(random)});
+      const Eigen::Vector3d arm = R * Eigen::Vector3d(0, 0, 0.05);
+      const Eigen::Vector3d min(place(random), place(random), place(random));
+      const Eigen::Vector3d sizes(size(random), size(random), size(random));
+      const Eigen::AlignedBox3d box(min, min + sizes);
+      const Sight sight = sight_of_box(system, system.devices[0], R, arm, box);
+      ++said[static_cast<int>(sight)];
+      if (sight == Sight::unknown) continue;
+      for (int k = 0; k < 40; ++k) {
+        // Corners first, then anywhere.
+        const Eigen::Vector3d t =
+            k < 8 ? Eigen::Vector3d(k & 1, k >> 1 & 1, k >> 2)
+                  : Eigen::Vector3d(part(random), part(random), part(random));
+        const TargetPose X_WT{R, min + t.cwiseProduct(sizes)};
+        ASSERT_EQ(in_sight(system, {0, 0, 0}, X_WT, arm), sight == Sight::clear)
+            << "box " << i << ", point " << k;
+      }
+    }
+    for (const Sight sight : {Sight::clear, Sight::hidden, Sight::unknown})
+      EXPECT_GT(said[static_cast<int>(sight)], 20) << static_cast<int>(sight);
+  }
+}
+
 // A chosen point on a surface is a marker there; a grid's is in the solid.
 TEST(Sight, AMarkerOnASurfaceIsNotInside) {
   System system = one_device();
@@ -167,6 +208,11 @@ TEST(Sight, AMarkerOnASurfaceIsNotInside) {
   Samples chosen = grid;
   chosen.parts[0].shape = ScatteredShape{};
   EXPECT_EQ(summarize(coverage(system, chosen)).inside, 1u);
+  // On the surface is within the skin of it, 1 mm.
+  chosen.points[0].x() = 1.0009;
+  EXPECT_EQ(summarize(coverage(system, chosen)).inside, 1u);
+  chosen.points[0].x() = 1.0011;
+  EXPECT_EQ(summarize(coverage(system, chosen)).inside, 2u);
 }
 
 }  // namespace

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
 #include "delos/geometry/primitives.h"
 
 namespace delos::test {
@@ -157,6 +162,23 @@ TEST(SelfIntersections, AreFoundBetweenCrossingSheets) {
   // Split at y = ½ in both: lower with lower, upper with upper, and the two that meet
   // in the one point where the diagonals cross.
   EXPECT_EQ(find_defects(sheets).self_intersections, 4u);
+}
+
+// A disk as CAD programs write it, one polygon fanned from its first corner: all pairs
+// of its triangles have boxes that meet, 32 million, of which some are looked at.
+TEST(SelfIntersections, AreNotCountedWhereFansHaveTooManyPairs) {
+  TriangleMesh disk;
+  constexpr int kCorners = 8000;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    disk.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
+  }
+  for (std::uint32_t i = 2; i < kCorners; ++i) disk.triangles.push_back({0, i - 1, i});
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(find_defects(disk).self_intersections, std::nullopt);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  disk.triangles.resize(200);
+  EXPECT_EQ(find_defects(disk).self_intersections, 0u);
 }
 
 }  // namespace

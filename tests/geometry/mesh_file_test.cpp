@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -95,6 +98,11 @@ std::string ply() {
     out << "3 " << a << ' ' << b << ' ' << c << '\n';
   }
   return out.str();
+}
+
+std::string with_replaced(std::string text, const std::string& from,
+                          const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
 }
 
 std::string binary_ply() {
@@ -228,6 +236,87 @@ TEST_F(MeshFile, ThatNamesAMissingVertexIsRefused) {
   text.replace(text.rfind("3 "), 7, "3 4 7 8");
   EXPECT_EQ(refusal("a.ply", text),
             "a.ply: face 11 (counted from 0) names a vertex that doesn't exist");
+}
+
+TEST_F(MeshFile, ThatIsNotThereMayBeMeantOtherwise) {
+  write("quads.obj", obj());
+  const auto said = [&](const std::string& name) -> std::string {
+    try {
+      (void)read_mesh(folder_ / name);
+    } catch (const std::runtime_error& e) {
+      return std::string(e.what()).substr((folder_ / name).string().size());
+    }
+    return "";
+  };
+  EXPECT_EQ(said("Quads.obj"), ": no such file; did you mean 'quads.obj'?");
+  EXPECT_EQ(said("no/quads.obj"),
+            ": no such file; there is no folder " + (folder_ / "no").string());
+}
+
+// PLY headers in an order that they may not have, and without what makes a vertex.
+TEST_F(MeshFile, PlyWithADamagedHeaderIsRefused) {
+  const char* reason = "a.ply: can't be understood, or ends too early";
+  EXPECT_EQ(refusal("a.ply", "ply\nformat ascii 1.0\nproperty float x\n"), reason);
+  EXPECT_EQ(
+      refusal("a.ply", "ply\nelement vertex 1\nproperty float x\nend_header\n1\n"),
+      reason);
+  EXPECT_EQ(
+      refusal("a.ply", with_replaced(ply(), "property float z", "property half z")),
+      reason);
+  EXPECT_EQ(
+      refusal("a.ply", with_replaced(ply(), "property float z", "property float w")),
+      "a.ply: its vertices don't have x, y and z");
+  const char* claims = "a.ply: announces more than it holds";
+  EXPECT_EQ(refusal("a.ply",
+                    with_replaced(ply(), "element face 12", "element face 4000000000")),
+            claims);
+  // 200 bytes whose one face has 4·10⁹ corners.
+  EXPECT_EQ(refusal("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                    "property float y\nproperty float z\nelement face 1\n"
+                    "property list uint int vertex_indices\nend_header\n"
+                    "0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
+            claims);
+}
+
+// Big-endian, with properties and elements that aren't a surface's.
+TEST_F(MeshFile, PlyIsReadAroundWhatIsNoSurface) {
+  const auto big = [](auto value) {
+    std::string bytes = bytes_of(value);
+    std::reverse(bytes.begin(), bytes.end());
+    return bytes;
+  };
+  std::string text =
+      "ply\r\nformat binary_big_endian 1.0\r\nobj_info made by hand\r\n"
+      "element camera 1\r\nproperty list uchar short f\r\n"
+      "element vertex 3\r\nproperty uchar red\r\nproperty double z\r\n"
+      "property float x\r\nproperty float y\r\n"
+      "element face 1\r\nproperty ushort flags\r\n"
+      "property list uchar uint vertex_index\r\nend_header\r\n";
+  text += std::string("\2") + big(std::int16_t{7}) + big(std::int16_t{8});
+  for (int v = 0; v < 3; ++v)
+    text += "\xff" + big(10.0 + v) + big(1.0f * v) + big(-2.0f * v);
+  text += big(std::uint16_t{9}) + std::string("\3");
+  for (const std::uint32_t corner : {0u, 2u, 1u}) text += big(corner);
+  const TriangleMesh mesh = read_mesh(write("a.ply", text));
+  ASSERT_EQ(mesh.vertices.size(), 3u);
+  EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(2, -4, 12));
+  ASSERT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{0, 2, 1}));
+}
+
+TEST_F(MeshFile, OffWithMoreOfAVertexIsReadOrRefused) {
+  const std::string faces = "3 0 1 2 255 0 0\n";
+  const TriangleMesh mesh =
+      read_mesh(write("a.off",
+                      "# c\nSTCNOFF # h\n3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0.5\n"
+                      "1 0 0 0 0 1 255 0 0 0.5 0.5\n0 2 0 0 0 1 255 0 0 0.5 0.5\n" +
+                          faces));
+  ASSERT_EQ(mesh.vertices.size(), 3u);
+  EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(0, 2, 0));
+  EXPECT_EQ(refusal("b.off", "STCNOFF\n1 0 0\n0 0 0\n"), "b.off: has no triangle");
+  EXPECT_EQ(refusal("c.off", "COFF\n3 1 0\n0 0\n1 0\n"),
+            "c.off: can't be understood, or ends too early");
 }
 
 TEST_F(MeshFile, ThatAnnouncesTooMuchIsRefused) {

@@ -101,11 +101,6 @@ TEST_P(BruteForce, GivesTheSameAnswers) {
       ASSERT_EQ(occluders.blocks(m.point(p), m.point(q), 0), expected)
           << "from " << m.point(p).transpose() << " to " << m.point(q).transpose();
       ASSERT_EQ(occluders.blocks(m.point(q), m.point(p), 0), expected);
-      const auto piece = occluders.blocking_piece(m.point(p), m.point(q), 0);
-      ASSERT_EQ(piece.has_value(), expected);
-      if (piece) {
-        ASSERT_TRUE(occluders.piece_blocks(*piece, m.point(p), m.point(q), 0));
-      }
     }
   }
   // The cases are what they are meant to be.

@@ -89,6 +89,9 @@ TEST(Extrusion, RefusesWhatIsNoPolygon) {
   EXPECT_EQ(refusal({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), crossing);
   EXPECT_EQ(refusal({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), crossing);  // a corner twice
   EXPECT_EQ(refusal({{0, 0}, {2, 0}, {1, 0}}), crossing);          // no area
+  EXPECT_EQ(refusal({{0, 0}, {2, 0}, {1, 1}, {0, 0}}),
+            "the last corner of the polygon repeats the first; leave it out, polygons "
+            "are closed anyway");
 }
 
 TEST(Transformed, ScalesThenPlaces) {

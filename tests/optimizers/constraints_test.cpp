@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "optimizers/scenes.h"
+#include "problem/place_limits.h"
 
 namespace delos::test {
 namespace {
@@ -87,6 +88,22 @@ TEST(Constraints, KeepOffALine) {
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_GE(place(found.scene, i).head<2>().norm(), 0.5);
   EXPECT_GE(slack(found, "beam"), 0);
+}
+
+// A line ends: 2 m behind its first end, and beyond its second one, is 2 m away.
+TEST(Constraints, ALineToKeepOffEnds) {
+  for (const double z : {-2.0, 5.0}) {
+    Scene scene =
+        parse(speakers("  - {name: beam, clear: [[0, 0, 0], [0, 0, 3]], distance: 0.5, "
+                       "devices: [a]}\n"));
+    scene.variables.resize(1);
+    scene.devices[0].placement.at = {0, 0, z};
+    const Design design(scene, plugins());
+    const GeometryLimits limits(design);
+    double slack = 0;
+    limits.slacks(design.scene(), &slack);
+    EXPECT_NEAR(slack, 2 - 0.5, 1e-15) << z;
+  }
 }
 
 TEST(Constraints, Tilt) {

@@ -12,6 +12,7 @@
 #include "delos/field/evaluate.h"
 #include "delos/model/metric_table.h"
 #include "selection/branch_and_bound.h"
+#include "selection/exchange.h"
 #include "selection/field_cost.h"
 
 namespace delos::test {
@@ -463,7 +464,63 @@ TEST(Selections, FindWhatGreedyMissesByAFactorOfFour) {
               2.0 / 3 + 1 / (3 * (1 - lambda * lambda)), 0.01);
 }
 
+// ---- exchanges ----
+
+/// What each candidate is worth, off a cost that all of them would bring to nothing.
+class Worths final : public ChoiceCost {
+ public:
+  explicit Worths(std::vector<double> worth) : worth_(std::move(worth)) {}
+  [[nodiscard]] std::size_t size() const override { return worth_.size(); }
+  [[nodiscard]] double value(std::span<const double> w) override {
+    double left = std::accumulate(worth_.begin(), worth_.end(), 0.0);
+    for (std::size_t i = 0; i < w.size(); ++i) left -= w[i] * worth_[i];
+    return left;
+  }
+  [[nodiscard]] std::vector<double> changed(std::span<const char> chosen,
+                                            std::span<const Change> changes) override {
+    std::vector<double> costs;
+    for (const Change& change : changes) {
+      std::vector<double> w(chosen.begin(), chosen.end());
+      if (change.in != Change::kNobody) w[change.in] = 1;
+      if (change.out != Change::kNobody) w[change.out] = 0;
+      costs.push_back(value(w));
+    }
+    return costs;
+  }
+  bool tangent(std::span<const double>, double, Tangent&) override { return false; }
+  [[nodiscard]] const std::vector<std::size_t>& whole_ones() const override {
+    return none_;
+  }
+  void exclude(std::span<const char>) override {}
+
+ private:
+  std::vector<double> worth_;
+  std::vector<std::size_t> none_;
+};
+
+// Of a budget of 6, 4 are spent: the best candidate fits in the place of the chosen one
+// alone, and then one of 2 beside it.
+TEST(Exchanges, SpendWhatTheyFree) {
+  Worths cost({1, 5, 2});
+  const ChoiceRules rules{{4, 4, 2}, {-1, -1, -1}, 6};
+  Choice choice{{1, 0, 0}, 7};
+  exchange(cost, rules, std::vector<Decision>(3, Decision::open), choice, {});
+  EXPECT_EQ(choice.chosen, (std::vector<char>{0, 1, 1}));
+  EXPECT_EQ(choice.cost, 1);
+}
+
 // ---- the polytope ----
+
+// One of a spot, worth 3, 2 and −1: the minimum is −3. With the second it is −2, with
+// the third 1; without the first −2.
+TEST(ChoicePolytope, TellsWhatDecidingOtherwiseCosts) {
+  const ChoiceRules rules{{1, 1, 1}, {7, 7, 7}, 3};
+  const ChoicePolytope polytope(rules, std::vector<Decision>(3, Decision::open));
+  const auto bound = polytope.linear_bound(std::vector<double>{-3, -2, 1});
+  EXPECT_EQ(bound.value, -3);
+  EXPECT_EQ(bound.if_in, (std::vector<double>{0, 1, 4}));
+  EXPECT_EQ(bound.if_out, (std::vector<double>{1, 0, 0}));
+}
 
 /// min g·w by trying every vertex of a small polytope with unit costs: whole choices.
 TEST(ChoicePolytope, BoundsLinearCostsFromBelowAndExactlyWhereAllCostTheSame) {

@@ -222,6 +222,28 @@ TEST(NoiseFreeModes, MinuteNoiseIsNotNone) {
   EXPECT_NEAR(s.prior(1, 1), expected, 1e-6 * expected);
 }
 
+// A perfect position beside noise that drives the velocity alone, which no doubling map
+// holds: Π = diag(0, q). With them a walk that is hardly measured, P = (1 + √(1 +
+// 4/λ))/2, Π = P/(1 + λP), to which the plain recursion takes some thousand steps.
+TEST(RiccatiProperty, PlainRecursionEndsAtTheSteadyState) {
+  const double dt = 0.1, a = 0.5, q = 2, lambda = 1e-4;
+  MotionStep step{StateMatrix::Identity(3, 3), StateMatrix::Zero(3, 3)};
+  step.A(0, 1) = dt;
+  step.A(1, 1) = a;
+  step.Q(1, 1) = q;
+  step.Q(2, 2) = 1;
+  Measurement seen{StateMatrix::Zero(3, 3), StateMatrix::Zero(1, 3)};
+  seen.information(2, 2) = lambda;
+  seen.exact(0, 0) = 1;
+  const SteadyState s = solve_doubling(step, seen);
+  ASSERT_EQ(s.status, RiccatiStatus::converged);
+  const double P = (1 + std::sqrt(1 + 4 / lambda)) / 2;
+  EXPECT_NEAR(s.prior(2, 2), P, 1e-11 * P);
+  EXPECT_NEAR(s.posterior(2, 2), P / (1 + lambda * P), 1e-11 * P);
+  EXPECT_NEAR(s.posterior(1, 1), q, 1e-13 * q);
+  EXPECT_NEAR(s.prior(0, 0), dt * dt * q, 1e-13 * q);
+}
+
 // The largest state: six coordinates, PVA, twelve drifting biases seen together with
 // the pose and by themselves. Reference: doubling in long double.
 TEST(LargestState, ThirtyStatesMatchLongDouble) {

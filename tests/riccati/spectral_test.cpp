@@ -215,6 +215,45 @@ TEST_P(Spectral, LanesAgreeWithSinglePoses) {
   }
 }
 
+// Squares of what is formed leave the range of a double: a power of two more or less
+// changes the eigenvalues by it and nothing else.
+TEST_P(Spectral, HoldsForInformationOfAnySize) {
+  const int d = GetParam();
+  Draw draw(60 + d);
+  const CoordinateMatrix L = testing::cholesky(draw.spd(d, -1, 1));
+  const Eigen::MatrixXd S = draw.spd(d, -3, 3);
+  const SpectralForm one = spectral_form(L, S);
+  // As below: the rounding of M = LᵀSL reaches the smallest eigenvalue.
+  const double tolerance = 10 * kEps * one.lambda[d - 1] / one.lambda[0];
+  for (const int exponent : {-900, -600, 600, 900}) {
+    const double factor = std::ldexp(1.0, exponent);
+    const SpectralForm form = spectral_form(L, factor * S);
+    for (int j = 0; j < d; ++j)
+      ASSERT_EQ(form.lambda[j], factor * one.lambda[j]) << exponent;
+    ASSERT_EQ(form.LU, one.LU);
+
+    std::vector<double> lanes(packed_index(d, 0) * kLanes), P(lanes.size());
+    for (int i = 0; i < d; ++i)
+      for (int j = 0; j <= i; ++j)
+        for (int l = 0; l < kLanes; ++l)
+          lanes[static_cast<std::size_t>(packed_index(i, j) * kLanes + l)] =
+              (l % 2 == 0 ? factor : 1) * S(i, j);
+    int lost[kLanes];
+    spectral_pose_covariances(L, 2, kSampling, CovarianceKind::prior, lanes.data(),
+                              P.data(), lost);
+    for (int l = 0; l < 4; ++l) {
+      ASSERT_EQ(lost[l], 0);
+      const CoordinateMatrix expected = spectral_pose_covariance(
+          l % 2 == 0 ? form : one, 2, kSampling, CovarianceKind::prior);
+      for (int i = 0; i < d; ++i)
+        for (int j = 0; j <= i; ++j)
+          ASSERT_NEAR(P[static_cast<std::size_t>(packed_index(i, j) * kLanes + l)],
+                      expected(i, j), tolerance * expected.norm())
+              << exponent << " lane " << l;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Coordinates, Spectral, ::testing::Values(2, 3, 6));
 
 }  // namespace

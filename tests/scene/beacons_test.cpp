@@ -288,7 +288,12 @@ TEST_F(Extends, MistakesAreSaid) {
   write("loop.yaml", "extends: s.yaml\n");
   EXPECT_EQ(only("extends: none.yaml\n"),
             "s.yaml:1:10: error: extends: there is no readable scene '" +
-                (folder_.path / "none.yaml").string() + "'");
+                (folder_.path / "none.yaml").string() + "': No such file or directory");
+  std::filesystem::create_symlink("self.yaml", folder_.path / "self.yaml");
+  EXPECT_EQ(only("extends: self.yaml\n"),
+            "s.yaml:1:10: error: extends: there is no readable scene '" +
+                (folder_.path / "self.yaml").string() +
+                "': Too many levels of symbolic links");
   EXPECT_EQ(only("extends: list.yaml\n"),
             "s.yaml:1:10: error: extends: 'list.yaml' isn't a scene");
   EXPECT_EQ(only("extends: [1]\n"),

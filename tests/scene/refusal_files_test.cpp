@@ -47,6 +47,22 @@ TEST(RefusalOfPointFiles, IsLocatedInThem) {
           "out"}));
 }
 
+// As spreadsheets write them where a comma is the decimal point, and as some editors
+// do.
+TEST(RefusalOfPointFiles, SaysWhatSemicolonsAre) {
+  const std::string hint =
+      "; ';' begins a comment: separate numbers by ',' and write decimals with a point";
+  EXPECT_EQ(findings_of_file("a.csv", "0,1;0,2;0,3\n0.1;0.2;0.3\n"),
+            (std::vector<std::string>{
+                "a.csv:1:3: error: expected three numbers x,y,z, found 2" + hint,
+                "a.csv:2:1: error: expected three numbers x,y,z, found 1" + hint}));
+  const auto wide = findings_of_file("a.csv", std::string("\xFF\xFE"
+                                                          "1\0,\0",
+                                                          6));
+  ASSERT_EQ(wide.size(), 1u);
+  EXPECT_TRUE(wide[0].ends_with("a.csv' is UTF-16; save it as UTF-8")) << wide[0];
+}
+
 TEST(RefusalOfPointFiles, StopsWhereTheFileIsOfAnotherKind) {
   std::string text;
   for (int i = 0; i < 100; ++i) text += "these are no numbers\n";
@@ -70,7 +86,7 @@ TEST(RefusalOfFiles, NamesTheFile) {
   EXPECT_EQ(to_string(diagnostics[0]),
             "nowhere/scene.yaml: error: the scene can't be read: No such file or "
             "directory");
-  EXPECT_TRUE(has_errors(diagnostics));
+  EXPECT_EQ(diagnostics[0].severity, Severity::error);
   EXPECT_FALSE(load_scene(".", {}, plugins(), diagnostics));
   EXPECT_EQ(to_string(diagnostics.at(1)),
             ".: error: the scene can't be read: it is a folder");

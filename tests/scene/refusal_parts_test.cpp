@@ -101,7 +101,8 @@ std::vector<Bad> bad_parts() {
        {e("9:12: error: sample.a.name: 'a' is another set's name already")}},
       {"MissingFile",
        good_with(kVolume, "file: nowhere.ptl"),
-       {e("8:9: error: sample.file: there is no readable file 'nowhere.ptl'")}},
+       {e("8:9: error: sample.file: there is no readable file 'nowhere.ptl': No such "
+          "file or directory")}},
       {"OtherFile",
        good_with(kVolume, "file: points.xyz"),
        {e("8:9: error: sample.file: 'points.xyz' is neither a .ptl nor a .csv file")}},

@@ -318,7 +318,7 @@ TEST(RefusalOfAnchors, IsReportedOnce) {
           "length such as '50 mm'"}));
 }
 
-TEST(RefusalOfLaughs, StopsAtAMillionNodes) {
+TEST(RefusalOfLaughs, StopsWhereCopiesFillMemory) {
   // Each level holds the one before ten times.
   std::string text = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n";
   for (char level = '1'; level < '9'; ++level) {
@@ -330,7 +330,7 @@ TEST(RefusalOfLaughs, StopsAtAMillionNodes) {
   const auto findings = load(text).findings;
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].substr(findings[0].find("not a")),
-            "not a readable YAML text: aliases make this text too large");
+            "not a readable YAML text: anchors and aliases make this text too large");
 }
 
 }  // namespace

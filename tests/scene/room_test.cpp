@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "delos/device/faults.h"
 #include "delos/sampling/samples.h"
 
 namespace delos::test {
@@ -182,7 +183,7 @@ TEST(Room, SaysWhereAMovedDeviceLeavesItsMesh) {
   try {
     static_cast<void>(device_pose(s, s.devices[0]));
     FAIL();
-  } catch (const std::domain_error& e) {
+  } catch (const Unbuildable& e) {
     EXPECT_STREQ(e.what(), "c1: the ray from its coordinates on 'hull' hits nothing");
   }
 }

@@ -84,6 +84,10 @@ struct BadQuantity {
 };
 
 const BadQuantity kBadQuantities[] = {
+    {"8'2\"", "m", "'8'2\"' mixes feet and inches; write one of them, such as '98 in'"},
+    {"1200 px", "m",
+     "'1200 px' is a number of pixels; expected a length such as '50 mm'; a focal "
+     "length in pixels times the pitch is one in metres"},
     {"50 Hz", "m", "'50 Hz' is a frequency; expected a length such as '50 mm'"},
     {"50 mm", "1/s", "'50 mm' is a length; expected a frequency such as '100 Hz'"},
     {"2 s", "1/s", "'2 s' is a time; expected a frequency such as '100 Hz'"},

@@ -10,20 +10,26 @@
 namespace delos {
 
 /// Raised by one whenever a type in this contract changes shape or meaning.
-inline constexpr std::uint32_t kAbiEpoch = 4;
+inline constexpr std::uint32_t kAbiEpoch = 5;
 
 /// What two binaries must agree on before a C++ object may pass between them.
 /// Fixed-width fields only; new ones go at the end; the first two never move.
 struct AbiStamp {
-  std::uint32_t bytes;        ///< sizeof(AbiStamp) as the plugin saw it
-  std::uint32_t epoch;        ///< kAbiEpoch
-  std::uint32_t cxx_abi;      ///< __GXX_ABI_VERSION
-  std::uint32_t libstdcxx;    ///< dual-ABI and debug-mode switches
-  std::uint32_t eigen;        ///< Eigen version, 3.4.0 → 30400
-  std::uint32_t eigen_align;  ///< EIGEN_MAX_ALIGN_BYTES: -march=native moves it
-  std::uint32_t target;       ///< sizeof(Target)
-  std::uint32_t observation;  ///< sizeof(Observation)
-  std::uint32_t param_spec;   ///< sizeof(ParamSpec)
+  std::uint32_t bytes;         ///< sizeof(AbiStamp) as the plugin saw it
+  std::uint32_t epoch;         ///< kAbiEpoch
+  std::uint32_t cxx_abi;       ///< __GXX_ABI_VERSION
+  std::uint32_t libstdcxx;     ///< dual-ABI and debug-mode switches
+  std::uint32_t eigen;         ///< Eigen version, 3.4.0 → 30400
+  std::uint32_t eigen_align;   ///< EIGEN_MAX_ALIGN_BYTES: -march=native moves it
+  std::uint32_t target;        ///< sizeof(Target)
+  std::uint32_t observation;   ///< sizeof(Observation)
+  std::uint32_t param_spec;    ///< sizeof(ParamSpec)
+  std::uint32_t lanes;         ///< kLanes
+  std::uint32_t point_lanes;   ///< sizeof(PointLanes)
+  std::uint32_t row_lanes;     ///< sizeof(RowLanes)
+  std::uint32_t beacon_lanes;  ///< sizeof(BeaconLanes)
+  std::uint32_t smooth_rows;   ///< sizeof(SmoothRows)
+  std::uint32_t view_cone;     ///< sizeof(ViewCone)
 };
 
 /// The stamp of whichever binary this header is compiled into.
@@ -40,7 +46,13 @@ constexpr AbiStamp this_abi() {
           EIGEN_MAX_ALIGN_BYTES,
           sizeof(Target),
           sizeof(Observation),
-          sizeof(ParamSpec)};
+          sizeof(ParamSpec),
+          kLanes,
+          sizeof(PointLanes),
+          sizeof(RowLanes),
+          sizeof(BeaconLanes),
+          sizeof(SmoothRows),
+          sizeof(ViewCone)};
 }
 
 /// What a plugin library says of itself. Static storage, owned by the plugin.

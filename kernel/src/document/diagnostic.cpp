@@ -1,6 +1,6 @@
 #include "delos/document/diagnostic.h"
 
-#include <algorithm>
+#include "text/number_text.h"
 
 namespace delos {
 
@@ -11,12 +11,8 @@ std::string to_string(const Diagnostic& diagnostic) {
     text += ':' + std::to_string(diagnostic.where.column);
   if (!text.empty()) text += ": ";
   text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
-  return text + diagnostic.message;
-}
-
-bool has_errors(const Diagnostics& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& d) { return d.severity == Severity::error; });
+  // What a scene holds may be anything, and a terminal obeys some of it.
+  return one_line(text + diagnostic.message);
 }
 
 }  // namespace delos

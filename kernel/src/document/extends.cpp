@@ -1,13 +1,12 @@
 #include "document/extends.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "document/file_text.h"
 #include "document/override.h"
 
 namespace delos {
@@ -15,13 +14,6 @@ namespace {
 
 /// A chain of bases that is longer has lost its way.
 constexpr std::size_t kMostBases = 16;
-
-std::optional<std::string> text_of(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, ignored)) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Take a key out of a map.
 std::optional<Node> take(Node& map, std::string_view key) {
@@ -76,16 +68,19 @@ class Resolver {
   /// The tree of a base, itself resolved.
   std::optional<Node> read(const std::filesystem::path& name, Mark mark) {
     const std::filesystem::path file = reader_.folder / name;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(file);
+    std::error_code ignored;  // what can't be resolved can't be read either
+    const std::filesystem::path whole =
+        std::filesystem::weakly_canonical(file, ignored);
     if (std::find(chain_.begin(), chain_.end(), whole) != chain_.end())
       return fail(mark, "extends", "'" + name.string() + "' extends this scene again");
     chain_.push_back(whole);
     if (chain_.size() > kMostBases)
       return fail(mark, "extends", "more than 16 scenes in a row");
-    const auto text = text_of(file);
+    std::string why;
+    const std::optional<std::string> text = file_text(file, why);
     if (!text)
       return fail(mark, "extends",
-                  "there is no readable scene '" + file.string() + '\'');
+                  "there is no readable scene '" + file.string() + "': " + why);
     const int source = reader_.findings.add_source(file.string());
     reader_.folder_of_source[source] = name.parent_path();
     std::optional<Node> tree = parse_yaml(*text, source, true, reader_.findings);

@@ -51,11 +51,16 @@ std::string missing_folder(const fs::path& file) {
 std::string commit_file(const fs::path& file,
                         const std::function<void(std::ostream&)>& fill) {
   const fs::path target = link_target(file);
+  std::error_code ignored;
+  if (fs::is_other(target, ignored)) {
+    // A pipe or a device can't be replaced as a whole: what is asked for is to fill it.
+    errno = 0;
+    return write_all(target, fill) ? "" : refused(file, "can't be written", errno);
+  }
   fs::path temporary = target.parent_path() / ".";
   temporary += target.filename();
   temporary += ".tmp-" + std::to_string(::getpid());
 
-  std::error_code ignored;
   errno = 0;
   if (!write_all(temporary, fill)) {
     const int error = errno;

@@ -6,6 +6,7 @@
 
 #include "delos/text/units.h"
 #include "text/nearest.h"
+#include "text/number_text.h"
 #include "text/numbers.h"
 
 namespace delos {
@@ -105,8 +106,8 @@ std::optional<std::string> Reader::name(const Place& at) {
   for (const char c : *text) {
     if (c == '.' || c == '=')
       return refuse("holds '.' or '=', which separate the parts of a path; use '_'");
-    if (static_cast<unsigned char>(c) < ' ') return refuse("holds a control character");
   }
+  if (has_control(*text)) return refuse("holds a control character");
   return text;
 }
 

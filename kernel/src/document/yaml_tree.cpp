@@ -1,5 +1,6 @@
 #include "document/yaml_tree.h"
 
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/mark.h>
@@ -12,8 +13,9 @@
 namespace delos {
 namespace {
 
-/// Nodes that aliases may add to a text; a few nested ones could otherwise fill memory.
-constexpr std::size_t kMostAliasNodes = 1'000'000;
+/// Bytes that anchors and aliases may add to a text; a few nested ones could otherwise
+/// fill memory.
+constexpr std::size_t kMostCopied = 100'000'000;
 
 /// What YAML allows and scenes don't.
 struct NotForScenes {
@@ -21,10 +23,11 @@ struct NotForScenes {
   const char* problem;
 };
 
-std::size_t size_of(const Node& node) {
-  std::size_t size = 1;
-  for (const Node& item : node.items) size += size_of(item);
-  return size;
+std::size_t bytes_of(const Node& node) {
+  std::size_t bytes = sizeof node + node.text.size();
+  for (const Node::Key& key : node.keys) bytes += sizeof key + key.text.size();
+  for (const Node& item : node.items) bytes += bytes_of(item);
+  return bytes;
 }
 
 /// Builds the tree from yaml-cpp's events, which say where every value is.
@@ -47,10 +50,7 @@ class Builder final : public YAML::EventHandler {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end())
       throw NotForScenes{mark, "this alias stands for what it is part of"};
-    alias_nodes_ += size_of(found->second);
-    if (alias_nodes_ > kMostAliasNodes)
-      throw NotForScenes{mark, "aliases make this text too large"};
-    Node copy = found->second;
+    Node copy = copied(mark, found->second);
     copy.mark = {0, mark.line + 1, mark.column + 1};
     add(mark, std::move(copy), 0);
   }
@@ -81,6 +81,13 @@ class Builder final : public YAML::EventHandler {
     return node;
   }
 
+  Node copied(const YAML::Mark& mark, const Node& node) {
+    copied_ += bytes_of(node);
+    if (copied_ > kMostCopied)
+      throw NotForScenes{mark, "anchors and aliases make this text too large"};
+    return node;
+  }
+
   void close() {
     Open done = std::move(open_.back());
     open_.pop_back();
@@ -88,7 +95,7 @@ class Builder final : public YAML::EventHandler {
   }
 
   void add(const YAML::Mark& mark, Node node, YAML::anchor_t anchor) {
-    if (anchor != 0) anchors_[anchor] = node;
+    if (anchor != 0) anchors_[anchor] = copied(mark, node);
     if (open_.empty()) {
       root = std::move(node);
       return;
@@ -108,7 +115,7 @@ class Builder final : public YAML::EventHandler {
 
   std::vector<Open> open_;
   std::map<YAML::anchor_t, Node> anchors_;
-  std::size_t alias_nodes_ = 0;
+  std::size_t copied_ = 0;
   int documents_ = 0;
 };
 
@@ -156,6 +163,8 @@ std::optional<Node> parse_yaml(std::string_view text, int source, bool located,
     }
   } catch (const NotForScenes& e) {
     return fail(e.mark, e.problem);
+  } catch (const YAML::DeepRecursion& e) {
+    return fail(e.mark, "lists and mappings are nested too deeply");
   } catch (const YAML::Exception& e) {
     return fail(e.mark, e.msg);
   }

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include "observe/lever.h"
+#include "parallel/first_failure.h"
 
 namespace delos {
 
@@ -52,8 +53,11 @@ void CellViews::follow(const Octree& tree, int threads) {
   for (; first < cells && tree.cells()[first].level == 0; ++first) {
     decide_all(static_cast<Octree::Index>(first));
   }
+  FirstFailure failure;
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-  for (std::size_t c = first; c < cells; ++c) decide_all(static_cast<Octree::Index>(c));
+  for (std::size_t c = first; c < cells; ++c)
+    failure.guard([&] { decide_all(static_cast<Octree::Index>(c)); });
+  failure.rethrow();
 }
 
 }  // namespace delos

@@ -131,6 +131,7 @@ void NodeStore::observe(std::size_t first_node, std::size_t turn,
     }
   }
   sum_layers(shape_, block);
+  check_total(system_, shape_, block);
 }
 
 }  // namespace delos

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "observe/answers.h"
 #include "observe/beacon_sightings.h"
 #include "observe/measure.h"
 #include "observe/point_rows.h"
@@ -131,6 +132,24 @@ void sum_total(const LayerShape& shape, LayerBlock& block) {
   for (std::size_t g = 0; g < shape.groups; ++g) {
     const double* sum = block.groups.data() + g * shape.stride;
     for (std::size_t e = 0; e < shape.stride; ++e) block.total[e] += sum[e];
+  }
+}
+
+void check_total(const System& system, const LayerShape& shape,
+                 const LayerBlock& block) {
+  const auto finite = [&](const double* layer) {
+    double sum = 0;
+    for (std::size_t e = 0; e < shape.stride; e += kLanes) {
+      for (int l = 0; l < block.lanes; ++l) sum += 0 * layer[e + l];
+    }
+    return sum == 0;
+  };
+  if (finite(block.total.data())) return;
+  for (std::size_t i = 0; i < shape.devices; ++i) {
+    if (block.seen[i] && !finite(block.layers.data() + i * shape.stride))
+      blame(system.devices[i],
+            "answers with what is beyond the range of a double: an H that is too large "
+            "or isn't finite, or too little noise");
   }
 }
 

@@ -47,5 +47,9 @@ void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block);
 void sum_total(const LayerShape& shape, LayerBlock& block);
 /// All groups, and the total.
 void sum_layers(const LayerShape& shape, LayerBlock& block);
+/// Look at the total, which shows at once what any of the layers has.
+/// @throws DeviceFault a device's information isn't finite
+void check_total(const System& system, const LayerShape& shape,
+                 const LayerBlock& block);
 
 }  // namespace delos

@@ -7,6 +7,7 @@
 
 #include "layers/block.h"
 #include "observe/measure.h"
+#include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
@@ -63,8 +64,11 @@ void InformationLayers::fill_all() {
   if (!kept_) return;
   blocks_.resize(block_count());
   const int threads = options_.threads > 0 ? options_.threads : omp_get_max_threads();
+  FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t b = 0; b < blocks_.size(); ++b) fill(b, blocks_[b]);
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    failure.guard([&] { fill(b, blocks_[b]); });
+  failure.rethrow();
 }
 
 std::size_t InformationLayers::update(const System& system) {
@@ -91,14 +95,19 @@ std::size_t InformationLayers::update(const System& system) {
     if (touched || reweighted) groups.push_back(g);
   }
   const int threads = options_.threads > 0 ? options_.threads : omp_get_max_threads();
+  FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    for (const std::size_t i : changed) {
-      observe_device(system_, *shape_, i, poses_of(b), blocks_[b]);
-    }
-    for (const std::size_t g : groups) sum_group(*shape_, g, blocks_[b]);
-    sum_total(*shape_, blocks_[b]);
+    failure.guard([&] {
+      for (const std::size_t i : changed) {
+        observe_device(system_, *shape_, i, poses_of(b), blocks_[b]);
+      }
+      for (const std::size_t g : groups) sum_group(*shape_, g, blocks_[b]);
+      sum_total(*shape_, blocks_[b]);
+      check_total(system_, *shape_, blocks_[b]);
+    });
   }
+  failure.rethrow();
   return changed.size();
 }
 
@@ -145,6 +154,7 @@ void InformationLayers::fill(std::size_t b, LayerBlock& block) const {
     observe_device(system_, *shape_, i, poses, block);
   }
   sum_layers(*shape_, block);
+  check_total(system_, *shape_, block);
 }
 
 WhitenedRows whitened_rows(const System& system, const TargetPose& pose) {

@@ -101,6 +101,14 @@ template <int p, int q, int kSize>
   return true;
 }
 
+/// A power of two that brings a matrix to where squares of its entries are numbers: 1
+/// for nearly all, and no other digit changes.
+/// @param largest of its diagonal entries, in magnitude
+inline double range_factor(double largest) {
+  const double shrink = largest > 0x1p+400 ? 0x1p-600 : 1.0;
+  return largest < 0x1p-400 && largest > 0 ? 0x1p+600 : shrink;
+}
+
 /// Rotate M to diagonal form and the columns of U along with it.
 /// @param M symmetric; the upper triangle is read. Entries between 1e-150 and 1e150 in
 ///          magnitude or zero, for their squares are formed.
@@ -119,13 +127,15 @@ void jacobi_diagonalize(Eigen::Matrix<double, kSize, kSize>& M,
   }
 }
 
-/// M = U diag(λ) Uᵀ; M as for jacobi_diagonalize().
+/// M = U diag(λ) Uᵀ, for entries of any size.
 template <int kSize>
 JacobiResult<kSize> jacobi_eigen(Eigen::Matrix<double, kSize, kSize> M) {
   JacobiResult<kSize> r;
   r.U.setIdentity();
+  const double factor = range_factor(M.diagonal().cwiseAbs().maxCoeff());
+  M *= factor;
   jacobi_diagonalize<kSize>(M, r.U);
-  r.lambda = M.diagonal();
+  r.lambda = M.diagonal() / factor;
   sort_ascending(r);
   return r;
 }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "delos/model/lanes.h"
+#include "observe/answers.h"
 #include "observe/beacon_choice.h"
 #include "observe/lever.h"
 #include "observe/whiten.h"
@@ -26,7 +27,11 @@ struct ViewSightings {
   BeaconSightings& out;
 
   void add() const {
-    if (placed.device->observe_view_lanes(view, out.look.lanes, out.lane_rows)) {
+    const bool in_lanes = ask(placed, [&](const Device& device) {
+      return device.observe_view_lanes(view, out.look.lanes, out.lane_rows);
+    });
+    if (in_lanes) {
+      check_rows(placed, out.lane_rows);
       add_lanes();
     } else {
       add_singly();
@@ -63,8 +68,10 @@ struct ViewSightings {
       append(l, [&](const auto& fill_row) {
         for (int r = 0; r < rows.rows; ++r) {
           const double variance = rows.variance[r][l];
+          const bool noisy = is_noise(variance);
+          if (!noisy) check_perfect(placed, variance);
           fill_row({rows.H[r][0][l], rows.H[r][1][l], rows.H[r][2][l]},
-                   is_noise(variance) ? variance : 0);
+                   noisy ? variance : 0);
         }
       });
     }
@@ -75,7 +82,11 @@ struct ViewSightings {
     for (int l = 0; l < lanes.count; ++l) {
       out.target.p_ST = {lanes.p[0][l], lanes.p[1][l], lanes.p[2][l]};
       out.target.n_ST = {lanes.n[0][l], lanes.n[1][l], lanes.n[2][l]};
-      if (!placed.device->observe_view(view, out.target, out.observation)) continue;
+      const bool sees = ask(placed, [&](const Device& device) {
+        return device.observe_view(view, out.target, out.observation);
+      });
+      if (!sees) continue;
+      check_answer(placed, out.observation, 3);
       if (!in_light(l)) continue;
       append(l, [&](const auto& fill_row) {
         whiten(out.observation.H, out.observation.R,

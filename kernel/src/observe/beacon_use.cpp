@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "observe/beacon_sightings.h"
+#include "parallel/first_failure.h"
 #include "text/numbers.h"
 
 namespace delos {
@@ -84,6 +85,7 @@ std::vector<SeenBeacon> seen_beacons(const System& system, const TargetPose& pos
 BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
                      int threads) {
   std::size_t beacons = 0, views = 0, sightings = 0;
+  FirstFailure failure;
   if (threads == 0) threads = omp_get_max_threads();
 #pragma omp parallel num_threads(threads) reduction(+ : beacons, views, sightings)
   {
@@ -91,22 +93,25 @@ BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
     std::vector<std::uint32_t> used, through;
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      for (const PlacedDevice& placed : system.devices) {
-        if (!placed.carried()) continue;
-        see_beacons(system, placed, poses[i], seen);
-        used.clear();
-        through.clear();
-        for (const BeaconSighting& s : seen.all) {
-          if (s.share == 0) continue;
-          used.push_back(s.beacon);
-          through.push_back(static_cast<std::uint32_t>(s.view));
+      failure.guard([&] {
+        for (const PlacedDevice& placed : system.devices) {
+          if (!placed.carried()) continue;
+          see_beacons(system, placed, poses[i], seen);
+          used.clear();
+          through.clear();
+          for (const BeaconSighting& s : seen.all) {
+            if (s.share == 0) continue;
+            used.push_back(s.beacon);
+            through.push_back(static_cast<std::uint32_t>(s.view));
+          }
+          sightings += used.size();
+          beacons += distinct(used);
+          views += distinct(through);
         }
-        sightings += used.size();
-        beacons += distinct(used);
-        views += distinct(through);
-      }
+      });
     }
   }
+  failure.rethrow();
   const auto mean = [&](std::size_t sum) {
     return poses.empty() ? 0.0
                          : static_cast<double>(sum) / static_cast<double>(poses.size());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "delos/rig/system.h"
+#include "observe/answers.h"
 #include "observe/beacon_sightings.h"
 #include "observe/lever.h"
 #include "observe/state_row.h"
@@ -20,6 +21,16 @@ struct MeasureScratch {
   StateRow row;
   BeaconSightings sightings;
 };
+
+/// observe(), checked.
+/// @throws DeviceFault
+inline bool observe_target(const PlacedDevice& placed, Eigen::Index columns,
+                           const Target& target, Observation& out) {
+  if (!ask(placed, [&](const Device& device) { return device.observe(target, out); }))
+    return false;
+  check_answer(placed, out, columns);
+  return true;
+}
 
 /// Visit every row of every sighting of a beacon that is used.
 template <class Visit>
@@ -48,7 +59,7 @@ bool measure_points(const System& system, const PlacedDevice& placed,
   for (const Eigen::Vector3d& marker : system.markers) {
     const Eigen::Vector3d arm = X_WT.R * marker;
     scratch.target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
-    if (!placed.device->observe(scratch.target, scratch.observation)) continue;
+    if (!observe_target(placed, 3, scratch.target, scratch.observation)) continue;
     if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, arm)) continue;
     seen = true;
     whiten(scratch.observation.H, scratch.observation.R,
@@ -97,7 +108,10 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
   target.p_ST = seen_at(placed.X_WS(), X_WT.p, Eigen::Vector3d::Zero());
   target.R_ST.noalias() = placed.X_WS().R.transpose() * X_WT.R;
   target.state.setZero(span == Span::state ? layout.size() : 0);
-  if (!placed.device->observe(target, scratch.observation)) return false;
+  const Eigen::Index of_span = span == Span::pose     ? 6
+                               : span == Span::motion ? 18
+                                                      : layout.size();
+  if (!observe_target(placed, of_span, target, scratch.observation)) return false;
   if (may_be_hidden(system, placed) &&
       !in_sight(system, placed.X_WS().p, X_WT, {0, 0, 0}))
     return false;

@@ -5,6 +5,7 @@
 #include "delos/model/lanes.h"
 #include "observe/lever.h"
 #include "observe/whiten.h"
+#include "observe/answers.h"
 
 namespace delos {
 namespace {
@@ -86,7 +87,10 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
   Vectors arm = {};
   if (!marker.isZero(0)) fill_arms(poses, marker, arm);
   fill_points(placed.X_WS(), poses, arm, points);
-  if (!placed.device->observe_lanes(points, rows)) return false;
+  if (!ask(placed,
+           [&](const Device& device) { return device.observe_lanes(points, rows); }))
+    return false;
+  check_rows(placed, rows);
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);
   out.hidden = out.perfect = out.rays = 0;
@@ -94,8 +98,11 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
     Vectors h;
     fill_seen(rows.H[r], rows.seen, h);
     pull_row<kLanes>(system.motion.layout, placed.X_WS().R, h[0], arm[0], out.h[r][0]);
-    out.perfect |= fill_weights(rows.variance[r], placed.noise, rows.seen, points.count,
-                                out.weight[r]);
+    const std::uint64_t perfect = fill_weights(rows.variance[r], placed.noise, rows.seen,
+                                               points.count, out.weight[r]);
+    for (std::uint64_t left = perfect; left != 0; left &= left - 1)
+      check_perfect(placed, rows.variance[r][std::countr_zero(left)]);
+    out.perfect |= perfect;
   }
   if (may_be_hidden(system, placed)) look(system, placed, poses, arm, sight, out);
   return true;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rig/parts.h"
+#include "observe/answers.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -114,7 +115,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
   return !placed.carried() && placed.device->span() == Span::point &&
-         placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
+         observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 
 template <class Visit>
@@ -133,7 +134,7 @@ bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
       line.visibility = 0;
       continue;
     }
-    if (!placed.device->observe_smoothly(p, rows)) return false;
+    if (!observe_smoothly(placed, p, rows)) return false;
     const double v = view(rows.margin);
     if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
     row.share = v * line.visibility;
@@ -180,7 +181,7 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
     const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS().p;
     const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
-    if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
+    if (p.isZero(0) || !observe_smoothly(placed, p, rows)) continue;
     const double v = view(rows.margin);
     if (v == 0) continue;
 

@@ -40,6 +40,10 @@ bool defines(const ElfW(Sym) & entry, const std::vector<char>& names,
 
 LibraryFile inspect_library(const std::filesystem::path& file,
                             std::string_view symbol) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error) &&
+      !std::filesystem::is_regular_file(file, error))
+    return LibraryFile::not_a_library;  // nor is it opened: a pipe would never answer
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return LibraryFile::unreadable;
 

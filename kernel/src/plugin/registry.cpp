@@ -4,10 +4,12 @@
 #include <boost/dll/shared_library.hpp>
 #include <cerrno>
 #include <mutex>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <system_error>
 
+#include "delos/device/faults.h"
 #include "plugin/elf_symbols.h"
 #include "text/nearest.h"
 
@@ -48,6 +50,16 @@ std::string unfit_to_open(const fs::path& file) {
          "); check that it exists and may be read";
 }
 
+/// What the dynamic linker said; Boost wraps it up, and adds an errno of something
+/// else.
+std::string linker_message(const std::string& wrapped) {
+  constexpr std::string_view kBefore = "(dlerror system message: ";
+  const std::size_t begin = wrapped.find(kBefore), end = wrapped.rfind("): ");
+  if (begin == std::string::npos || end == std::string::npos) return wrapped;
+  const std::size_t first = begin + kBefore.size();
+  return end < first ? wrapped : wrapped.substr(first, end - first);
+}
+
 /// Sets info, or says what is wrong with the library.
 std::string open_plugin(const fs::path& file, const PluginInfo*& info) {
   if (std::string unfit = unfit_to_open(file); !unfit.empty()) return unfit;
@@ -56,8 +68,8 @@ std::string open_plugin(const fs::path& file, const PluginInfo*& info) {
   try {
     found = open_for_good(file).get<const PluginInfo*()>(kEntry)();
   } catch (const std::exception& e) {
-    return std::string("cannot be opened (") + e.what() +
-           "); rebuild it against this kernel";
+    return "cannot be opened (" + linker_message(e.what()) +
+           "); rebuild it against this kernel, or install what it needs";
   }
   if (!found) return "says nothing of itself; end its source with DELOS_DEVICE_PLUGIN";
   if (std::string other = stamp_difference(found->abi); !other.empty()) return other;
@@ -102,6 +114,7 @@ PluginRegistry::PluginRegistry(std::vector<fs::path> folders)
     : folders_(std::move(folders)) {}
 
 const PluginLoad& PluginRegistry::find(std::string_view id) {
+  const std::lock_guard lock(mutex_);
   if (const auto it = loaded_.find(id); it != loaded_.end()) return it->second;
 
   PluginLoad load;
@@ -141,10 +154,20 @@ std::vector<std::string> PluginRegistry::ids() const {
 
 std::shared_ptr<const Device> make_device(const PluginInfo& info,
                                           const ParamValues& params) {
-  Device* device = info.create(params);
-  if (!device) {
-    throw std::runtime_error(std::string("plugin '") + info.id + "' created no device");
+  const std::string plugin = std::string("plugin '") + info.id + '\'';
+  Device* device = nullptr;
+  try {
+    device = info.create(params);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& clash) {
+    const std::string why = clash.what();
+    throw Unbuildable(why.empty() ? plugin + " refuses these values without a reason"
+                                  : why);
+  } catch (...) {
+    throw Unbuildable(plugin + " throws what isn't a std::exception");
   }
+  if (!device) throw Unbuildable(plugin + " created no device");
   return std::shared_ptr<Device>(device, info.destroy);
 }
 

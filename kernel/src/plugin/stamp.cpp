@@ -33,6 +33,15 @@ constexpr std::array kFields = {
     StampField{&AbiStamp::observation, "another Observation", "sizeof(Observation)",
                kFlags},
     StampField{&AbiStamp::param_spec, "another ParamSpec", "sizeof(ParamSpec)", kFlags},
+    StampField{&AbiStamp::lanes, "another number of lanes", "kLanes", kHeaders},
+    StampField{&AbiStamp::point_lanes, "another PointLanes", "sizeof(PointLanes)",
+               kFlags},
+    StampField{&AbiStamp::row_lanes, "another RowLanes", "sizeof(RowLanes)", kFlags},
+    StampField{&AbiStamp::beacon_lanes, "another BeaconLanes", "sizeof(BeaconLanes)",
+               kFlags},
+    StampField{&AbiStamp::smooth_rows, "another SmoothRows", "sizeof(SmoothRows)",
+               kFlags},
+    StampField{&AbiStamp::view_cone, "another ViewCone", "sizeof(ViewCone)", kFlags},
 };
 
 static_assert(sizeof(AbiStamp) == kFields.size() * sizeof(std::uint32_t),

@@ -92,15 +92,36 @@ bool rotate(Lanes<kSize>& at) {
   return true;
 }
 
+/// @returns whether none of the lanes' matrices needs its factor
+template <int kSize>
+bool range_factors(const Lanes<kSize>& at, double* factor) {
+  constexpr double kUp = 1 / (riccati::kEps * riccati::kEps);
+  bool usual = true;
+  for (int l = 0; l < kLanes; ++l) {
+    factor[l] = riccati::range_factor(kUp * at.floor[l]);
+    usual &= factor[l] == 1;
+  }
+  return usual;
+}
+
 template <int kSize>
 void diagonalize(Lanes<kSize>& at) {
   constexpr static auto kOrder = rotation_order<kSize>();
+  double factor[kLanes];
+  const bool usual = range_factors(at, factor);
+  for (int l = 0; l < kLanes && !usual; ++l) {
+    for (auto& entry : at.M) entry[l] *= factor[l];
+    at.floor[l] *= factor[l];
+  }
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     const int rotations = [&]<std::size_t... i>(std::index_sequence<i...>) {
       return (0 + ... + rotate<kOrder[i].first, kOrder[i].second>(at));
     }
     (std::make_index_sequence<kOrder.size()>{});
     if (rotations == 0) break;
+  }
+  for (int i = 0; i < kSize && !usual; ++i) {
+    for (int l = 0; l < kLanes; ++l) at.m(i, i)[l] /= factor[l];
   }
 }
 

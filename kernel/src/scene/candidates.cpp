@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "delos/device/beacons.h"
+#include "delos/device/faults.h"
 #include "delos/sampling/samples.h"
 #include "delos/text/words.h"
 #include "scene/beacon_grid.h"
@@ -198,7 +199,7 @@ class Writer {
     try {
       return device.mount == Mount::target ? pose_of(device.placement)
                                            : device_pose(from_, device);
-    } catch (const std::domain_error& problem) {
+    } catch (const Unbuildable& problem) {
       throw Refused{device.name + ": " + problem.what()};
     }
   }

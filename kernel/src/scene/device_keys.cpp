@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "delos/device/faults.h"
 #include "document/node_text.h"
 #include "scene/params.h"
 #include "scene/placement_keys.h"
@@ -69,6 +70,8 @@ constexpr std::array<Key<DeviceEntry>, 16> kDeviceKeys = {{
     {"type", Need::required, "id of the plugin that models it",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto type = r.word(p)) d.type = std::move(*type);
+       if (p.node().kind == Node::Kind::scalar && d.type.empty())
+         r.error(p, "is empty; 'delos devices' lists the plugins");
      },
      [](const DeviceEntry& d) -> Written { return to_node(d.type); }},
     {"rate", Need::required, "updates a second, such as 50 Hz", read_rate,
@@ -199,8 +202,8 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
     reader.error(at, "measures a state of " + std::to_string(device->state_size()) +
                          " entries, but this motion's has " +
                          std::to_string(layout->size()) + ": " + joined(names));
-  } catch (const std::exception& e) {
-    reader.error(at, e.what());
+  } catch (const Unbuildable& refusal) {
+    reader.error(at, refusal.what());
   }
 }
 

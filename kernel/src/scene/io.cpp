@@ -1,13 +1,10 @@
 #include "delos/scene/io.h"
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 #include <utility>
 
 #include "document/extends.h"
 #include "document/file_commit.h"
+#include "document/file_text.h"
 #include "document/node_text.h"
 #include "document/override.h"
 #include "scene/scene_keys.h"
@@ -25,13 +22,10 @@ std::optional<Scene> load_scene(const std::filesystem::path& file,
     diagnostics.push_back(std::move(diagnostic));
     return std::nullopt;
   };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) return refuse("it is a folder");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return refuse(std::generic_category().message(errno));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_scene(text, file, overrides, plugins, diagnostics, progress);
+  std::string why;
+  const std::optional<std::string> text = file_text(file, why);
+  if (!text) return refuse(why);
+  return parse_scene(*text, file, overrides, plugins, diagnostics, progress);
 }
 
 std::optional<Scene> parse_scene(std::string_view text,

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 
+#include "document/file_text.h"
 #include "text/numbers.h"
 
 namespace delos {
@@ -89,14 +87,20 @@ std::string expected(const RowForm& form, const char* between) {
 }
 
 /// A row's numbers; empty, with a finding, where the row is malformed.
+/// @param semicolon whether one ended the row, which other programs separate by
 std::vector<double> read_row(const std::vector<Cell>& cells, const RowForm& form,
-                             const char* between, Mark at, Findings& findings) {
+                             const char* between, bool semicolon, Mark at,
+                             Findings& findings) {
   const auto& lengths = form.lengths;
   if (std::find(lengths.begin(), lengths.end(), cells.size()) == lengths.end()) {
     at.column = cells[std::min(cells.size() - 1, lengths.back())].column;
-    findings.error(at, {},
-                   "expected " + expected(form, between) + ", found " +
-                       std::to_string(cells.size()));
+    findings.error(
+        at, {},
+        "expected " + expected(form, between) + ", found " +
+            std::to_string(cells.size()) +
+            (semicolon ? "; ';' begins a comment: separate numbers by '" +
+                             std::string(between) + "' and write decimals with a point"
+                       : ""));
     return {};
   }
   std::vector<double> row;
@@ -139,15 +143,17 @@ std::vector<std::vector<double>> parse_rows(std::string_view text,
     begin = end + 1;
     ++line_number;
     if (line_number == 1 && line.substr(0, 3) == "\xEF\xBB\xBF") line.remove_prefix(3);
-    line = line.substr(0, line.find_first_of(";#"));
+    const std::size_t comment = std::min(line.find_first_of(";#"), line.size());
+    const bool semicolon = line.substr(comment).starts_with(';');
+    line = line.substr(0, comment);
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
 
     const auto cells = csv ? split_at_commas(line) : split_at_blanks(line);
     const bool header = csv && first_row && is_header(cells, form);
     first_row = false;
     if (header) continue;
-    auto row =
-        read_row(cells, form, csv ? "," : " ", {source, line_number, 1}, findings);
+    auto row = read_row(cells, form, csv ? "," : " ", semicolon,
+                        {source, line_number, 1}, findings);
     if (!row.empty()) {
       rows.push_back(std::move(row));
     } else if (++bad_rows == kMostFindings) {
@@ -167,16 +173,19 @@ std::optional<std::vector<std::vector<double>>> read_row_file(
     return std::nullopt;
   }
   const std::filesystem::path path = reader.folder / written;
-  std::error_code ignored;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path, ignored)) {
-    reader.error(at, "there is no readable file '" + path.string() + '\'');
+  std::string why;
+  const std::optional<std::string> text = file_text(path, why);
+  if (!text) {
+    reader.error(at, "there is no readable file '" + path.string() + "': " + why);
     return std::nullopt;
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (text->starts_with("\xFF\xFE") || text->starts_with("\xFE\xFF")) {
+    reader.error(at, "the file '" + path.string() + "' is UTF-16; save it as UTF-8");
+    return std::nullopt;
+  }
   const std::size_t before = reader.findings.errors();
   const int source = reader.findings.add_source(path.string());
-  auto rows = parse_rows(text, written, form, source, reader.findings);
+  auto rows = parse_rows(*text, written, form, source, reader.findings);
   if (reader.findings.errors() != before) return std::nullopt;
   if (rows.empty()) {
     reader.error(at, "the file '" + path.string() + "' has no " + what);

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
 
+#include "delos/device/faults.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -36,8 +36,8 @@ Pose mounted_pose(const Scene& scene, const DeviceEntry& device) {
   if (surface == scene.surfaces.end()) std::abort();
   const auto point = mount_point(*surface, device.mounting->coordinates);
   if (!point)
-    throw std::domain_error(device.name + ": the ray from its coordinates on '" +
-                            surface->name + "' hits nothing");
+    throw Unbuildable(device.name + ": the ray from its coordinates on '" +
+                      surface->name + "' hits nothing");
   Placement placement = device.placement;
   placement.at = point->p;
   Pose X_WS = pose_of(placement);

@@ -13,6 +13,7 @@
 #include "scene/search_keys.h"
 #include "scene/surface_keys.h"
 #include "scene/words.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {
@@ -65,6 +66,7 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
     {"name", Need::optional, "a title",
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (auto name = r.word(p)) d.scene.name = std::move(*name);
+       if (has_control(d.scene.name)) r.error(p, "holds a control character");
      },
      [](const SceneDraft& d) -> Written {
        if (d.scene.name.empty()) return std::nullopt;

@@ -39,7 +39,21 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   return 0;
 }
 
+/// U+0000 to U+001F, U+007F to U+009F.
+bool control(std::string_view text, std::size_t at) {
+  const auto lead = static_cast<unsigned char>(text[at]);
+  return lead < 0x20 || lead == 0x7F ||
+         (lead == 0xC2 && at + 1 < text.size() &&
+          static_cast<unsigned char>(text[at + 1]) < 0xA0);
+}
+
 }  // namespace
+
+bool has_control(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (control(text, at)) return true;
+  return false;
+}
 
 void append_number(std::string& text, double value) {
   char buffer[32];
@@ -64,8 +78,7 @@ std::string one_line(std::string_view text) {
       ++at;
       continue;
     }
-    const unsigned char lead = static_cast<unsigned char>(text[at]);
-    if (lead < 0x20 || lead == 0x7F)
+    if (control(text, at))
       line += ' ';
     else
       line += text.substr(at, length);

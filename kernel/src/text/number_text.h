@@ -24,6 +24,9 @@ void append_number(std::string& text, double value);
 /// Valid UTF-8 on one line: bytes that aren't become U+FFFD, control characters spaces.
 [[nodiscard]] std::string one_line(std::string_view text);
 
+/// Whether one_line() would make spaces of some of it, which a terminal might obey.
+[[nodiscard]] bool has_control(std::string_view text);
+
 /// One line as the value of an XML attribute.
 [[nodiscard]] std::string xml_attribute(std::string_view text);
 

@@ -64,6 +64,9 @@ std::variant<double, std::string> parse_quantity(std::string_view text,
   const std::string_view unit_text = trimmed(text.substr(number.length));
   if (unit_text.empty()) return number.value;
 
+  if (si_unit == "m" && unit_text.front() == '\'')
+    return quoted + " mixes feet and inches; write one of them, such as '98 in'";
+
   const UnitLookup& given = find_unit(unit_text);
   if (!given.unit) return given.problem + "; " + expected(si_unit);
   const UnitLookup& wanted = find_unit(si_unit);
@@ -74,7 +77,10 @@ std::variant<double, std::string> parse_quantity(std::string_view text,
     return quoted +
            (is ? std::string(" is ") + is->noun
                : " is in " + to_string(given.unit->dimension)) +
-           "; " + expected(si_unit);
+           "; " + expected(si_unit) +
+           (si_unit == "m" && unit_text == "px"
+                ? "; a focal length in pixels times the pitch is one in metres"
+                : "");
   }
 
   double value;

@@ -27,10 +27,7 @@ struct Diagnostic {
 using Diagnostics = std::vector<Diagnostic>;
 
 /// "scene.yaml:12:7: error: devices.cam1.params.focall: unknown key; did you mean
-/// 'focal'?"
+/// 'focal'?" One line of valid UTF-8 without control characters.
 [[nodiscard]] DELOS_API std::string to_string(const Diagnostic& diagnostic);
-
-/// True where at least one finding is an error.
-[[nodiscard]] DELOS_API bool has_errors(const Diagnostics& diagnostics);
 
 }  // namespace delos

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "delos/api.h"
@@ -41,17 +40,6 @@ class DELOS_API Occluders {
   /// Touching is meeting. Where the segment isn't longer than 2·skin, nothing does.
   /// @pre skin ≥ 0
   [[nodiscard]] bool blocks(const Point& a, const Point& b, double skin) const;
-
-  /// A convex piece that blocks a→b; which, where several do, is arbitrary, but always
-  /// the same.
-  [[nodiscard]] std::optional<std::uint32_t> blocking_piece(const Point& a,
-                                                            const Point& b,
-                                                            double skin) const;
-
-  /// Whether this piece's surface blocks a→b, as blocks() says it of all.
-  /// @pre piece < pieces()
-  [[nodiscard]] bool piece_blocks(std::uint32_t piece, const Point& a, const Point& b,
-                                  double skin) const;
 
   /// Whether something may stand between `apex` and the box: false only if no triangle
   /// meets their convex hull, so that nothing blocks a segment from the apex to any

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,7 @@ struct PluginLoad {
 };
 
 /// The device plugins of a program. Libraries are opened on first use and never closed,
-/// since devices and tables live in them.
+/// since devices and tables live in them. May be asked from several threads at once.
 class DELOS_API PluginRegistry {
  public:
   explicit PluginRegistry(
@@ -49,6 +50,7 @@ class DELOS_API PluginRegistry {
 
  private:
   std::vector<std::filesystem::path> folders_;
+  std::mutex mutex_;  // of the answers, which stay where they are
   std::map<std::string, PluginLoad, std::less<>> loaded_;
 };
 
@@ -58,7 +60,9 @@ class DELOS_API PluginRegistry {
 [[nodiscard]] DELOS_API std::string stamp_difference(const AbiStamp& plugin);
 
 /// Create a device.
-/// @throws std::exception what the plugin's constructor throws, when values clash.
+/// @throws Unbuildable what the plugin's constructor says, when values clash, or that
+///         it says nothing
+/// @throws std::bad_alloc memory is short
 [[nodiscard]] DELOS_API std::shared_ptr<const Device> make_device(
     const PluginInfo& info, const ParamValues& params);
 

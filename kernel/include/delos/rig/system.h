@@ -76,7 +76,7 @@ struct System {
 /// @param previous where given, its devices of equal type and parameters are reused, so
 ///        that moving a device creates none; likewise its occluders.
 /// @pre the scene came from load_scene(), or passed its checks
-/// @throws std::exception what a plugin's constructor throws for clashing values
+/// @throws Unbuildable a device refuses its values, or its place isn't there
 /// @throws std::runtime_error a plugin is missing or broken
 [[nodiscard]] DELOS_API System build_system(const Scene& scene, PluginRegistry& plugins,
                                             const System* previous = nullptr);

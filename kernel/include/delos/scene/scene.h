@@ -249,7 +249,7 @@ struct Scene {
 /// surface, where its z axis is the surface's normal unless its placement says where it
 /// faces.
 /// @pre the group or the surface exists
-/// @throws std::domain_error one sentence: the ray of a mesh surface hits nothing there
+/// @throws Unbuildable one sentence: the ray of a mesh surface hits nothing there
 [[nodiscard]] DELOS_API Pose device_pose(const Scene& scene, const DeviceEntry& device);
 
 }  // namespace delos

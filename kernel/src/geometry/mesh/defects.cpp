@@ -23,15 +23,24 @@ class SelfIntersections {
   }
 
   /// Counts the pairs among some triangles.
-  std::size_t count(const std::vector<std::uint32_t>& triangles) const {
+  /// @returns nullopt where too many would have to be looked at
+  std::optional<std::size_t> count(const std::vector<std::uint32_t>& triangles) const {
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
     std::vector<Box> boxes;
     boxes.reserve(triangles.size());
     for (const std::uint32_t t : triangles) boxes.emplace_back(triangle(t).bbox(), t);
-    std::size_t pairs = 0;
-    CGAL::box_self_intersection_d(
-        boxes.begin(), boxes.end(),
-        [&](const Box& a, const Box& b) { pairs += intersect(a.info(), b.info()); });
+    const std::size_t most = std::max(kMostPairsOfSmall, kMostPairs * triangles.size());
+    struct TooMany {};
+    std::size_t looked_at = 0, pairs = 0;
+    try {
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+                                    [&](const Box& a, const Box& b) {
+                                      if (++looked_at > most) throw TooMany();
+                                      pairs += intersect(a.info(), b.info());
+                                    });
+    } catch (const TooMany&) {
+      return std::nullopt;
+    }
     return pairs;
   }
 

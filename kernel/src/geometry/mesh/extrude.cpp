@@ -23,6 +23,11 @@ CGAL::Polygon_2<Kernel> checked(const std::vector<Eigen::Vector2d>& polygon) {
     throw std::invalid_argument("a polygon needs at least three corners, not " +
                                 std::to_string(polygon.size()));
   }
+  if (polygon.front() == polygon.back()) {
+    throw std::invalid_argument(
+        "the last corner of the polygon repeats the first; leave it out, polygons are "
+        "closed anyway");
+  }
   CGAL::Polygon_2<Kernel> checked;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     if (!polygon[i].allFinite()) {

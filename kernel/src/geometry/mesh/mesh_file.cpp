@@ -1,7 +1,6 @@
-// Mesh files, by CGAL's readers.
+// Mesh files: PLY by a reader of our own, the others by CGAL's.
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 
 #include <algorithm>
@@ -16,26 +15,14 @@
 #include <string>
 
 #include "delos/geometry/mesh.h"
-#include "geometry/mesh/kernel.h"
+#include "geometry/mesh/ply.h"
+#include "geometry/mesh/soup.h"
+#include "text/nearest.h"
 
 namespace delos {
 namespace {
 
-/// A vector that grows at once to what a file can hold, but not to what it claims: CGAL
-/// makes room for as many vertices, faces and corners as the file announces.
-template <class T>
-struct Claimed : std::vector<T> {
-  std::size_t limit = 1'000'000;
-
-  void resize(std::size_t n) {
-    if (n > limit) throw std::length_error("announced");
-    std::vector<T>::resize(n);
-  }
-};
-
-using Points = Claimed<Kernel::Point_3>;
-using Polygons = Claimed<Claimed<std::size_t>>;
-using Reader = bool (*)(std::istream&, Points&, Polygons&);
+using SoupReader = bool (*)(std::istream&, SoupPoints&, SoupPolygons&);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
   throw std::runtime_error(file.string() + ": " + why);
@@ -76,25 +63,58 @@ std::string suffix_of(const std::filesystem::path& file) {
   return suffix;
 }
 
-Reader reader_for(const std::filesystem::path& file) {
+/// An OFF file whose vertices have normals, colours or texture coordinates, as one
+/// whose vertices have none: CGAL reads past its end where they are missing.
+/// @returns empty, and the stream where it was, for any other
+std::string plain_off(std::istream& in) {
+  std::string plain, line, word;
+  std::size_t vertices = 0, kept = 0;
+  for (bool counted = false; std::getline(in, line);) {
+    line.resize(std::min(line.find('#'), line.size()));
+    std::istringstream words(line);
+    if (plain.empty()) {
+      if (!(words >> word)) continue;
+      if (word != "COFF" && word != "NOFF" && word != "CNOFF" && word != "STOFF" &&
+          word != "STCOFF" && word != "STNOFF" && word != "STCNOFF")
+        break;
+      plain = "OFF\n";
+      std::getline(words, line);
+      words = std::istringstream(line);
+    }
+    if (!counted) {
+      counted = static_cast<bool>(words >> vertices);
+      plain += line + '\n';
+    } else if (kept < vertices) {
+      int numbers = 0;
+      for (; numbers < 3 && words >> word; ++numbers) plain += word + ' ';
+      plain += '\n';
+      kept += numbers == 3;
+    } else {
+      plain += line + '\n';
+    }
+  }
+  in.clear();
+  in.seekg(0);
+  return plain;
+}
+
+SoupReader reader_for(const std::filesystem::path& file) {
   const std::string suffix = suffix_of(file);
   if (suffix == ".off") {
-    return [](std::istream& in, Points& p, Polygons& f) {
-      return CGAL::IO::read_OFF(in, p, f);
+    return [](std::istream& in, SoupPoints& p, SoupPolygons& f) {
+      std::istringstream plain(plain_off(in));
+      return plain.str().empty() ? CGAL::IO::read_OFF(in, p, f)
+                                 : CGAL::IO::read_OFF(plain, p, f);
     };
   }
   if (suffix == ".obj") {
-    return [](std::istream& in, Points& p, Polygons& f) {
+    return [](std::istream& in, SoupPoints& p, SoupPolygons& f) {
       return CGAL::IO::read_OBJ(in, p, f);
     };
   }
-  if (suffix == ".ply") {
-    return [](std::istream& in, Points& p, Polygons& f) {
-      return CGAL::IO::read_PLY(in, p, f, CGAL::parameters::verbose(false));
-    };
-  }
+  if (suffix == ".ply") return read_ply;
   if (suffix == ".stl") {
-    return [](std::istream& in, Points& p, Polygons& f) {
+    return [](std::istream& in, SoupPoints& p, SoupPolygons& f) {
       return CGAL::IO::read_STL(in, p, f);
     };
   }
@@ -104,7 +124,7 @@ Reader reader_for(const std::filesystem::path& file) {
 
 /// Why a file that CGAL's reader refused is wrong, as far as can be told.
 std::string reason(const std::filesystem::path& file, std::ios::iostate state,
-                   const Polygons& polygons) {
+                   const SoupPolygons& polygons) {
   std::ifstream text(file);
   std::string line, word;
   for (int number = 1; std::getline(text, line); ++number) {
@@ -150,8 +170,8 @@ void check_binary_stl(const std::filesystem::path& file) {
 
 /// What a file lists, as CGAL reads it.
 struct Soup {
-  Points points;
-  Polygons polygons;
+  SoupPoints points;
+  SoupPolygons polygons;
 };
 
 void check(const std::filesystem::path& file, const Soup& soup) {
@@ -173,10 +193,26 @@ void check(const std::filesystem::path& file, const Soup& soup) {
   }
 }
 
+/// What may have been meant by the name of a file that isn't there.
+std::string meant(const std::filesystem::path& file) {
+  const std::filesystem::path folder =
+      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::error_code failed;
+  if (!std::filesystem::is_directory(folder, failed))
+    return "; there is no folder " + folder.string();
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::string likely = nearest(file.filename().string(), names);
+  return likely.empty() ? "" : "; did you mean '" + likely + "'?";
+}
+
 Soup read_soup(const std::filesystem::path& file,
                const std::function<void(double)>& progress) {
-  const Reader read = reader_for(file);
-  if (!std::filesystem::exists(file)) refuse(file, "no such file");
+  const SoupReader read = reader_for(file);
+  if (!std::filesystem::exists(file)) refuse(file, "no such file" + meant(file));
+  if (!std::filesystem::is_regular_file(file)) refuse(file, "isn't a file");
   WatchedFile buffer(file, progress);
   std::istream in(&buffer);
   if (!buffer.is_open() || in.peek() == std::istream::traits_type::eof()) {
@@ -189,6 +225,8 @@ Soup read_soup(const std::filesystem::path& file,
   bool understood = false;
   try {
     understood = read(in, soup.points, soup.polygons);
+  } catch (const MeshProblem& problem) {
+    refuse(file, problem.why);
   } catch (const std::length_error&) {
     refuse(file, "announces more than it holds");
   } catch (const std::bad_alloc&) {

@@ -1,5 +1,6 @@
 #include "delos/geometry/occluders.h"
 
+#include <optional>
 #include <random>
 
 #include "geometry/mesh/kernel.h"
@@ -186,24 +187,6 @@ bool Occluders::blocks(const Point& a, const Point& b, double skin) const {
   bool found = false;
   tree_->walk_along(*segment, [&](const Triangle&) { return found = true; });
   return found;
-}
-
-std::optional<std::uint32_t> Occluders::blocking_piece(const Point& a, const Point& b,
-                                                       double skin) const {
-  const auto segment = shortened(a, b, skin);
-  if (!segment) return std::nullopt;
-  std::optional<std::uint32_t> piece;
-  tree_->walk_along(*segment, [&](const Triangle& t) {
-    piece = t.piece;
-    return true;
-  });
-  return piece;
-}
-
-bool Occluders::piece_blocks(std::uint32_t piece, const Point& a, const Point& b,
-                             double skin) const {
-  const auto segment = shortened(a, b, skin);
-  return segment && tree_->piece_meets(piece, *segment);
 }
 
 bool Occluders::touches_shaft(const Point& apex, const Box& box) const {
