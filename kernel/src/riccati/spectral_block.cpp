@@ -95,10 +95,10 @@ bool rotate(Lanes<kSize>& at) {
 /// @returns whether none of the lanes' matrices needs its factor
 template <int kSize>
 bool range_factors(const Lanes<kSize>& at, double* factor) {
-  constexpr double kUp = 1 / (riccati::kEps * riccati::kEps);
+  constexpr double kUp = 1 / (kEps * kEps);
   bool usual = true;
   for (int l = 0; l < kLanes; ++l) {
-    factor[l] = riccati::range_factor(kUp * at.floor[l]);
+    factor[l] = range_factor(kUp * at.floor[l]);
     usual &= factor[l] == 1;
   }
   return usual;
