@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "delos/device/faults.h"
+
 namespace delos::test {
 namespace {
 
@@ -69,7 +71,7 @@ std::shared_ptr<const Device> device(const std::string& id, const std::string& y
 std::string refusal(const std::string& id, const std::string& yaml) {
   try {
     (void)device(id, yaml);
-  } catch (const std::invalid_argument& e) {
+  } catch (const Unbuildable& e) {
     return e.what();
   }
   return "accepted";
