@@ -398,6 +398,7 @@ TEST(FieldCost, IsTheOrdinaryFieldsAndSoAreItsChanges) {
       Instance instance = instance_of(kind, seed);
       if (kind != Kind::general) instance.orientations.rpy = {{0, 0, 0}, {0, 0, 1}};
       instance.orientations.combine = static_cast<OrientationRule>(seed % 3);
+      instance.system.prior = seed % 2 == 0 ? 0 : 10;
       FieldCost cost = cost_of(instance);
       const std::size_t n = cost.size();
       const std::uint32_t set = 0b101;

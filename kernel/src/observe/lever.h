@@ -22,15 +22,25 @@
 namespace delos {
 
 // Of `count` of them side by side, entry i of the l-th at [i·count + l]; one of them is
-// a plain vector or row.
+// a plain vector or row. Inlined always: in the loops of beacons, and where compilers
+// then see that arrays are apart.
 
-/// out = R v, and so with R = R_WS the row v R_SW. `out` is none of the others.
-template <int count>
-void turn(const Eigen::Matrix3d& R, const double* v, double* out) {
+/// What turn() does with results: nothing.
+struct AsTheyAre {
+  double operator()(int, double value) const { return value; }
+};
+
+/// out = R v, and so with R = R_WS the row v R_SW.
+/// @param out apart from v
+/// @param result result(l, x) stands in the place of each number x of the l-th
+template <int count, class Result = AsTheyAre>
+[[gnu::always_inline]] inline void turn(const Eigen::Matrix3d& R, const double* v,
+                                        double* out, Result&& result = {}) {
   for (int i = 0; i < 3; ++i) {
     const double x = R(i, 0), y = R(i, 1), z = R(i, 2);
     for (int l = 0; l < count; ++l)
-      out[i * count + l] = x * v[l] + y * v[count + l] + z * v[2 * count + l];
+      out[i * count + l] =
+          result(l, x * v[l] + y * v[count + l] + z * v[2 * count + l]);
   }
 }
 
@@ -38,13 +48,16 @@ void turn(const Eigen::Matrix3d& R, const double* v, double* out) {
 /// @param R_WS −R_WS for beacons
 /// @param h over the point, in S
 /// @param arm in W, metres
-template <int count>
-void pull_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS, const double* h,
-              const double* arm, double* row) {
+/// @param result of g, see turn()
+template <int count, class Result = AsTheyAre>
+[[gnu::always_inline]] inline void pull_row(const StateLayout& layout,
+                                            const Eigen::Matrix3d& R_WS,
+                                            const double* h, const double* arm,
+                                            double* row, Result&& result = {}) {
+  if (layout.pose == PoseState::position) return turn<count>(R_WS, h, row, result);
   double g[3 * count];
-  turn<count>(R_WS, h, g);
-  if (layout.pose != PoseState::orientation) std::copy_n(g, 3 * count, row);
-  if (layout.pose == PoseState::position) return;
+  turn<count>(R_WS, h, g, result);
+  if (layout.pose == PoseState::pose) std::copy_n(g, 3 * count, row);
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3 * count, k = (i + 2) % 3 * count;
     double* of_turn = row + (layout.positions() + i) * count;

@@ -3,9 +3,9 @@
 #include <bit>
 
 #include "delos/model/lanes.h"
+#include "observe/answers.h"
 #include "observe/lever.h"
 #include "observe/whiten.h"
-#include "observe/answers.h"
 
 namespace delos {
 namespace {
@@ -31,12 +31,6 @@ void fill_points(const Pose& X_WS, std::span<const TargetPose> poses,
   }
   points.count = static_cast<int>(poses.size());
   turn<kLanes>(X_WS.R.transpose(), from_device[0], points.p[0]);
-}
-
-/// Rows in S, and 0 where nothing is seen, where any number may stand.
-void fill_seen(const Vectors& H, const double* seen, Vectors& h) {
-  for (int i = 0; i < 3; ++i)
-    for (int l = 0; l < kLanes; ++l) h[i][l] = seen[l] > 0 ? H[i][l] : 0.0;
 }
 
 std::uint64_t bits(const double* flags, int count) {
@@ -94,12 +88,13 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);
   out.hidden = out.perfect = out.rays = 0;
+  // Where nothing is seen, any number may stand.
+  const auto if_seen = [&](int l, double x) { return rows.seen[l] > 0 ? x : 0.0; };
   for (int r = 0; r < rows.rows; ++r) {
-    Vectors h;
-    fill_seen(rows.H[r], rows.seen, h);
-    pull_row<kLanes>(system.motion.layout, placed.X_WS().R, h[0], arm[0], out.h[r][0]);
-    const std::uint64_t perfect = fill_weights(rows.variance[r], placed.noise, rows.seen,
-                                               points.count, out.weight[r]);
+    pull_row<kLanes>(system.motion.layout, placed.X_WS().R, rows.H[r][0], arm[0],
+                     out.h[r][0], if_seen);
+    const std::uint64_t perfect = fill_weights(rows.variance[r], placed.noise,
+                                               rows.seen, points.count, out.weight[r]);
     for (std::uint64_t left = perfect; left != 0; left &= left - 1)
       check_perfect(placed, rows.variance[r][std::countr_zero(left)]);
     out.perfect |= perfect;
