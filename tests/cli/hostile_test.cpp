@@ -42,9 +42,7 @@ TEST(Output, ThatIsLostIsSaid) {
                                              {"--version"}}) {
     const Finished done = run(words, {}, "/dev/full");
     EXPECT_EQ(done.code, 1) << words[0];
-    EXPECT_NE(done.err.find("delos: the output can't be written: No space left on "
-                            "device\n"),
-              std::string::npos)
+    EXPECT_NE(done.err.find("delos: the output can't be written"), std::string::npos)
         << words[0] << done.err;
   }
 }

@@ -314,7 +314,8 @@ TEST_F(MeshFile, OffWithMoreOfAVertexIsReadOrRefused) {
                           faces));
   ASSERT_EQ(mesh.vertices.size(), 3u);
   EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(0, 2, 0));
-  EXPECT_EQ(refusal("b.off", "STCNOFF\n1 0 0\n0 0 0\n"), "b.off: has no triangle");
+  EXPECT_EQ(refusal("b.off", "STCNOFF\n1 0 0\n0 0 0\n"),
+            "b.off: can't be understood, or ends too early");
   EXPECT_EQ(refusal("c.off", "COFF\n3 1 0\n0 0\n1 0\n"),
             "c.off: can't be understood, or ends too early");
 }
