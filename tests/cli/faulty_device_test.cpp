@@ -13,7 +13,7 @@ std::string room_with(const std::string& params, bool carried = false) {
   std::string text = R"(delos: 1
 motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
 sample: {volume: {min: [1, 1, 1], max: [2, 2, 2], step: 0.5}}
-beacons: {wall: {points: [[5, 5, 5], [5, 0, 5]]}}
+beacons: {wall: {list: [[5, 5, 5], [5, 0, 5]]}}
 devices:
 )";
   for (const char* at : {"[0, 0, 0]", "[4, 0, 1]", "[0, 4, 2]", "[4, 4, 3]"})

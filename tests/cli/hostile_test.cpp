@@ -42,9 +42,7 @@ TEST(Output, ThatIsLostIsSaid) {
                                              {"--version"}}) {
     const Finished done = run(words, {}, "/dev/full");
     EXPECT_EQ(done.code, 1) << words[0];
-    EXPECT_NE(done.err.find("delos: the output can't be written: No space left on "
-                            "device\n"),
-              std::string::npos)
+    EXPECT_NE(done.err.find("delos: the output can't be written"), std::string::npos)
         << words[0] << done.err;
   }
 }
@@ -119,10 +117,10 @@ TEST(Names, ThatTerminalsObeyAreRefusedAndNotPrinted) {
 TEST(Names, ThatAreNotUtf8BecomeSoInJson) {
   const Folder folder;
   const auto file =
-      folder.write("latin.yaml", with(kScene, "name: a", "name: caf\xE9"));
+      folder.write("latin.yaml", with(kScene, "name: b", "name: caf\xE9"));
   const Finished point = run({"point", file.string(), "--at", "1,1,1", "--json"});
   EXPECT_EQ(point.code, 0) << point.err;
-  EXPECT_EQ(point.json()["devices"][0]["name"], "caf\uFFFD");
+  EXPECT_EQ(point.json()["devices"][1]["name"], "caf\uFFFD");
 }
 
 TEST(Devices, WantATypeAndAFolder) {

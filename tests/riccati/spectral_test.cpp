@@ -254,6 +254,23 @@ TEST_P(Spectral, HoldsForInformationOfAnySize) {
   }
 }
 
+TEST_P(Spectral, HoldsForRowsOfAnySize) {
+  const int d = GetParam();
+  Draw draw(70 + d);
+  const CoordinateMatrix L = testing::cholesky(draw.spd(d, -1, 1));
+  const Eigen::MatrixXd rows = draw.matrix(d + 2, d);
+  const SpectralForm one = spectral_form_of_rows(L, rows);
+  for (const int exponent : {-450, -300, 300, 450}) {
+    const double factor = std::ldexp(1.0, exponent);
+    const SpectralForm form = spectral_form_of_rows(L, factor * rows);
+    for (int j = 0; j < d; ++j)
+      ASSERT_NEAR(form.lambda[j] / factor / factor, one.lambda[j],
+                  10 * kEps * one.lambda[j])
+          << exponent;
+    ASSERT_LT(testing::relative(form.LU, one.LU), 100 * kEps) << exponent;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Coordinates, Spectral, ::testing::Values(2, 3, 6));
 
 }  // namespace

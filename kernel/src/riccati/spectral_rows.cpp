@@ -1,5 +1,6 @@
 // The spectral form from whitened rows, without squaring their condition number.
 #include <Eigen/QR>
+#include <cmath>
 #include <limits>
 
 #include "delos/riccati/spectral.h"
@@ -59,6 +60,10 @@ SpectralForm reduce_rows(const CoordinateMatrix& L,
   Eigen::MatrixXd B =
       Eigen::MatrixXd::Zero(std::max<Eigen::Index>(rows.rows(), kSize), kSize);
   B.topRows(rows.rows()) = rows * factor;
+  // A power of two, for products of four entries are formed.
+  const double largest = B.cwiseAbs().maxCoeff();
+  const double unit = std::sqrt(riccati::range_factor(largest * largest));
+  B *= unit;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(B);
   riccati::Square<kSize> X = riccati::Square<kSize>::Zero();
   X.template triangularView<Eigen::Lower>() =
@@ -76,7 +81,7 @@ SpectralForm reduce_rows(const CoordinateMatrix& L,
     r.lambda[form.unobservable++] = 0;
   for (int a = form.unobservable; a < kSize; ++a) r.U.col(a) /= r.lambda[a];
   for (int a = form.unobservable - 1; a >= 0; --a) complete_column<kSize>(r.U, a);
-  form.lambda = r.lambda.cwiseAbs2();
+  form.lambda = (r.lambda / unit).cwiseAbs2();
   form.LU = factor * (qr.colsPermutation() * r.U);
   return form;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "delos/api.h"
 #include "delos/rig/system.h"
 #include "delos/sampling/samples.h"
 
@@ -24,15 +25,18 @@ enum class Sight : std::uint8_t {
 /// a device and a marker, or a beacon and a device.
 /// @param in_world where the one is, in W
 /// @param arm where the other is from the target's origin, in W
-[[nodiscard]] bool in_sight(const System& system, const Eigen::Vector3d& in_world,
-                            const TargetPose& X_WT, const Eigen::Vector3d& arm);
+[[nodiscard]] DELOS_API bool in_sight(const System& system,
+                                      const Eigen::Vector3d& in_world,
+                                      const TargetPose& X_WT,
+                                      const Eigen::Vector3d& arm);
 
 /// The same for all positions of the target in a box at one orientation R_WT: clear and
 /// hidden hold for every one of them, unknown where they differ or nobody can say.
-[[nodiscard]] Sight sight_of_box(const System& system, const PlacedDevice& placed,
-                                 const Eigen::Matrix3d& R_WT,
-                                 const Eigen::Vector3d& arm,
-                                 const Eigen::AlignedBox3d& box);
+[[nodiscard]] DELOS_API Sight sight_of_box(const System& system,
+                                           const PlacedDevice& placed,
+                                           const Eigen::Matrix3d& R_WT,
+                                           const Eigen::Vector3d& arm,
+                                           const Eigen::AlignedBox3d& box);
 
 /// Whether a point is inside a solid of the world, or on its surface.
 [[nodiscard]] bool inside_solid(const System& system, const Eigen::Vector3d& p);
