@@ -1,4 +1,5 @@
-# Debian 12 packages: what building the program needs, and what the tests need besides.
+# Debian 12 packages: what building the program needs, what the tests need besides, and
+# what `cmake --build --preset tidy` needs.
 packages_to_build=(
   g++ cmake ninja-build ccache pkg-config
   libeigen3-dev libboost-dev libyaml-cpp-dev libudunits2-dev
@@ -8,3 +9,4 @@ packages_to_build=(
 packages_to_check=(
   libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev libglpk-dev
 )
+packages_to_tidy=(clang-tidy)

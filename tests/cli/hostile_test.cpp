@@ -181,7 +181,7 @@ TEST(Anchors, AreNotCopiedWithoutEnd) {
 }
 
 /// Characters that a terminal shows, of which UTF-8 takes several bytes.
-std::size_t shown(const std::string& text) {
+std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
@@ -200,7 +200,7 @@ TEST(Columns, StandBelowEachOther) {
     const std::size_t end = std::min(done.out.find('\n', line), done.out.size());
     const std::string row = done.out.substr(line, end - line);
     if (row.starts_with("  devices."))
-      arrows.push_back(shown(row.substr(0, row.find("->"))));
+      arrows.push_back(width_of(row.substr(0, row.find("->"))));
     line = end + 1;
   }
   ASSERT_EQ(arrows.size(), 2u) << done.out << done.err;

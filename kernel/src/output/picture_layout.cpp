@@ -24,8 +24,8 @@ PictureLayout lay_out_picture(const Slice& slice, const SideText& text) {
   PictureLayout layout;
   layout.width = std::max(needed, kTitleRoom);
   layout.height = kTop + static_cast<int>(height) + kBottom;
-  const double x = left + (layout.width - needed) / 2;
-  layout.plot = {x, kTop, width, height};
+  const int margin = (layout.width - needed) / 2;
+  layout.plot = {static_cast<double>(left + margin), kTop, width, height};
   layout.bar = {layout.plot.right() + kBarGap, kTop, kBarWidth, height};
   layout.to_scale = across.count == 1 || up.count == 1 ||
                     std::min(across.span(), up.span()) * scale >= kLeast;

@@ -20,10 +20,11 @@ struct Spot {
 };
 
 Spot spot_of(const Box& plot, const Slice& slice, std::size_t cell) {
-  const auto column = static_cast<double>(cell % slice.axis[0].count);
-  const auto row = static_cast<double>(cell / slice.axis[0].count);
-  return {plot.x + plot.width * slice.axis[0].fraction_of(column),
-          plot.bottom() - plot.height * slice.axis[1].fraction_of(row)};
+  const std::size_t column = cell % slice.axis[0].count;
+  const std::size_t row = cell / slice.axis[0].count;
+  const auto along = slice.axis[0].fraction_of(static_cast<double>(column));
+  const auto up = slice.axis[1].fraction_of(static_cast<double>(row));
+  return {plot.x + plot.width * along, plot.bottom() - plot.height * up};
 }
 
 Box around(const Spot& spot) {

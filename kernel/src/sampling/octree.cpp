@@ -71,7 +71,7 @@ Octree::Corners Octree::corners(Index cell) const {
 
 Eigen::Vector3d Octree::within_family(Index cell, const Eigen::Vector3d& p) const {
   const Cell& parent = cells_[cells_[cell].parent];
-  const double half = size_of(parent.level) / 2;
+  const std::int32_t half = size_of(parent.level) / 2;
   Eigen::Vector3d at;
   for (int i = 0; i < 3; ++i) {
     const double t = (p(i) - box_.min()(i)) / (box_.max()(i) - box_.min()(i));

@@ -70,8 +70,8 @@ struct Make {
     };
     for (int j = 0; j < p.counts[1]; ++j)
       for (int i = 0; i < p.counts[0]; ++i)
-        points.push_back(p.origin + fraction(i, p.counts[0]) * p.u +
-                         fraction(j, p.counts[1]) * p.v);
+        points.emplace_back(p.origin + fraction(i, p.counts[0]) * p.u +
+                            fraction(j, p.counts[1]) * p.v);
     return PlaneShape{p.origin, p.u, p.v, p.counts};
   }
 
@@ -82,7 +82,7 @@ struct Make {
 
   decltype(SamplePart::shape) operator()(const MeshSampling& m) const {
     for (const Eigen::Vector3d& vertex : m.surface.mesh->vertices)
-      points.push_back(m.surface.scale * vertex);
+      points.emplace_back(m.surface.scale * vertex);
     return SurfaceShape{m.surface.mesh->triangles};
   }
 
