@@ -62,7 +62,7 @@ SpectralForm reduce_rows(const CoordinateMatrix& L,
   B.topRows(rows.rows()) = rows * factor;
   // A power of two, for products of four entries are formed.
   const double largest = B.cwiseAbs().maxCoeff();
-  const double unit = std::sqrt(riccati::range_factor(largest * largest));
+  const double unit = std::sqrt(range_factor(largest * largest));
   B *= unit;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(B);
   riccati::Square<kSize> X = riccati::Square<kSize>::Zero();
