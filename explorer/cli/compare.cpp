@@ -11,6 +11,7 @@
 #include "delos/observe/beacon_use.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
+#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "evaluation.h"
@@ -106,6 +107,24 @@ void print_rows(std::ostream& out, const std::vector<Row>& rows, double limit) {
   }
 }
 
+bool evaluated_alike(const std::vector<Row>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+    return alike(row.field.definition, rows.front().field.definition);
+  });
+}
+
+/// Of what covariance the values are: the same for all sides, or else a warning.
+void print_definition(std::ostream& out, const std::vector<Row>& rows) {
+  if (evaluated_alike(rows)) {
+    out << "of the " << to_string(rows.front().field.definition) << ", for all\n";
+    return;
+  }
+  out << "NOT ALIKE: differences are of what is computed, too\n";
+  for (const Row& row : rows)
+    out << "  " << row.field.scene << ": " << to_string(row.field.definition) << "\n";
+  out << "  choose one for all with --fusion and --covariance\n";
+}
+
 void print(std::ostream& out, const std::vector<Row>& rows,
            const std::vector<Comparison>& comparisons, double limit) {
   const std::string& unit = rows.front().field.unit;
@@ -116,6 +135,7 @@ void print(std::ostream& out, const std::vector<Row>& rows,
     out << "; " << inside << " inside solids left out";
   }
   out << "\n";
+  print_definition(out, rows);
   print_rows(out, rows, limit);
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const Comparison& c = comparisons[i];
@@ -150,6 +170,15 @@ double limit_of(const CompareCommand& command, const Metric& metric) {
   return std::get<double>(limit);
 }
 
+/// Give all sides one fusion, unless they demand different ones.
+void evaluate_alike(std::vector<LoadedScene>& sides) {
+  std::vector<const Scene*> scenes;
+  for (const LoadedScene& side : sides) scenes.push_back(&side.scene);
+  const auto fusion = common_fusion(scenes);
+  if (!fusion) return;
+  for (LoadedScene& side : sides) side.system.fusion = *fusion;
+}
+
 std::vector<LoadedScene> load_sides(const CompareCommand& command,
                                     PluginRegistry& plugins) {
   std::vector<LoadedScene> scenes;
@@ -162,6 +191,7 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
       scenes.back().scene.name += " + " + change;
     }
   }
+  evaluate_alike(scenes);
   const Metric& metric = scenes.front().metric;
   for (std::size_t i = 1; i < scenes.size(); ++i) {
     if (scenes[i].metric.name != metric.name || scenes[i].metric.unit != metric.unit) {
@@ -236,7 +266,14 @@ int run(const CompareCommand& command) {
     print(std::cout, rows, comparisons, limit);
     return kDone;
   }
+  const bool same = evaluated_alike(rows);
+  const Definition& definition = rows.front().field.definition;
   Json json;
+  json["fusion"] = same ? Json(to_string(definition.fusion)) : Json();
+  json["covariance"] = same ? Json(to_string(definition.covariance)) : Json();
+  if (!same)
+    std::cerr << "delos: warning: the scenes are evaluated differently; choose one for "
+                 "all with --fusion and --covariance\n";
   json["scenes"] = Json::array();
   for (const Row& row : rows) json["scenes"].push_back(to_json(row));
   json["difference"] = to_json(comparisons.front());

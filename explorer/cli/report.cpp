@@ -11,6 +11,7 @@
 #include "consensus.h"
 #include "delos/field/blind.h"
 #include "delos/output/write.h"
+#include "delos/scene/definition.h"
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
@@ -256,6 +257,9 @@ std::string study_report(const ReportCommand& command, PluginRegistry& plugins,
   r.summary = study.summary();
   r.after = study.scene();
   r.before = judged_alike(study.scene(0), r.after);
+  const Scene* both[] = {&r.before, &r.after};
+  if (const auto fusion = common_fusion(both))
+    r.before.fusion = r.after.fusion = *fusion;
   r.objective = objective_text(r.after);
   r.objective_unit = objective_unit(r.after);
   r.maximize = objective_shown(r.after, 1) < 0;

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 
+#include "delos/scene/definition.h"
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "summary.h"
@@ -105,6 +106,8 @@ Json search_json(const OptimizeResult& result, PluginRegistry& plugins) {
   return {
       {"scene", scene.name},
       {"objective", {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}},
+      {"fusion", to_string(definition_of(scene).fusion)},
+      {"covariance", to_string(scene.covariance)},
       {"initial", number(objective_shown(scene, result.initial.objective))},
       {"best", number(objective_shown(scene, result.best.objective))},
       {"plain_initial", number(objective_shown(scene, result.plain_initial))},
@@ -133,7 +136,7 @@ void print_search(std::ostream& out, const OptimizeResult& result,
   if (from != 0)
     out << " (" << std::showpos << std::setprecision(3) << 100 * (to / from - 1)
         << std::noshowpos << " %)";
-  out << "\n";
+  out << "\nof the " << to_string(definition_of(before)) << "\n";
   if (before.objective.robust != Robustness{}) {
     const auto plain = [&](double objective) {
       return format_quantity(objective_shown(before, objective), unit);

@@ -32,10 +32,7 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   const FieldStatistics s = summarize(field);
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
   out << loaded.scene.name << "\n"
-      << field.metric << " of the "
-      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
-                                                            : "a-posteriori")
-      << " covariance, " << to_string(loaded.system.fusion) << " fusion, "
+      << field.metric << " of the " << to_string(field.definition) << ", "
       << counted(loaded.system.devices.size(), "device") << "\n"
       << counted(s.samples, "sample") << ", " << s.observable << " observable";
   if (s.one_short > 0) out << ", " << s.one_short << " one direction short of it";

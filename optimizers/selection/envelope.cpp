@@ -32,6 +32,7 @@ Field selection_envelope(const Scene& scene, PluginRegistry& plugins,
   field.scene = scene.name;
   field.metric = q.terms.front().metric.name;
   field.unit = q.terms.front().metric.unit;
+  field.definition = {q.system.fusion, q.system.covariance};
   field.samples = make_samples(scene.samples);
   const std::size_t count = field.samples.points.size();
   field.value.assign(count, std::numeric_limits<double>::infinity());

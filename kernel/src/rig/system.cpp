@@ -4,15 +4,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "delos/scene/definition.h"
+
 namespace delos {
 namespace {
-
-Fusion default_fusion(const Scene& scene) {
-  const bool one_rate = std::all_of(
-      scene.devices.begin(), scene.devices.end(),
-      [&](const DeviceEntry& d) { return d.rate == scene.devices.front().rate; });
-  return one_rate ? Fusion::stacked : Fusion::continuous;
-}
 
 std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
                                     const DeviceEntry& entry) {
@@ -77,7 +72,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
                     const System* previous) {
   System system;
   system.motion = scene.motion;
-  system.fusion = scene.fusion.value_or(default_fusion(scene));
+  system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
   system.markers = scene.markers;
   system.skin = scene.skin;

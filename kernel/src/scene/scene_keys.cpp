@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "delos/model/metric.h"
+#include "delos/scene/definition.h"
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
@@ -222,6 +223,19 @@ void check_fusion(Reader& reader, const Place& root, const Scene& scene) {
            "; make them equal");
 }
 
+/// Variables may not part rates that must be one.
+void check_varied_rates(Reader& reader, const Place& root, const Scene& scene) {
+  if (has_one_rate(scene)) return;
+  const bool custom = !scene.motion.is_chain();
+  if (!custom && scene.fusion != Fusion::stacked) return;
+  const std::string why = custom ? "custom motion is one update of one rate"
+                                 : "stacked fusion needs one rate";
+  reader.error_within(root, root.node().find("variables")->mark, "variables",
+                      "change the rates of single devices, but " + why +
+                          (custom ? "; tie all rates together"
+                                  : "; tie all rates together, or use continuous"));
+}
+
 /// Orientations stand in `sample` or beside it, not in both.
 void check_orientations(Reader& reader, const Place& root) {
   const Node* beside = root.node().find("orientations");
@@ -272,6 +286,7 @@ Scene read_scene(Reader& reader, const Node& root) {
                   [](const DeviceEntry& d) { return d.rate > 0; });
   if (draft.known.motion && rates_known) check_fusion(reader, place, draft.scene);
   if (reader.findings.errors() == 0) read_search(reader, place, draft.scene);
+  if (reader.findings.errors() == 0) check_varied_rates(reader, place, draft.scene);
   return std::move(draft.scene);
 }
 

@@ -9,6 +9,7 @@
 
 #include "delos/api.h"
 #include "delos/sampling/samples.h"
+#include "delos/scene/definition.h"
 
 namespace delos {
 
@@ -17,6 +18,7 @@ struct Field {
   std::string scene;          ///< the scene's name
   std::string metric;         ///< the metric's name
   std::string unit;           ///< its SI unit
+  Definition definition;      ///< what it is a metric of
   Samples samples;            ///< where
   std::vector<double> value;  ///< one a point; +∞ where it has no finite value
   std::vector<unsigned char>
