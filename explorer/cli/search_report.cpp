@@ -13,7 +13,7 @@
 namespace delos::cli {
 namespace {
 
-const char* word(Reduction reduction) {
+const char* word(Reduction reduction, bool larger_is_better) {
   switch (reduction) {
     case Reduction::mean:
       return "mean";
@@ -22,7 +22,7 @@ const char* word(Reduction reduction) {
     case Reduction::soft_max:
       return "soft maximum of";
     case Reduction::maximum:
-      return "greatest";
+      return larger_is_better ? "least" : "greatest";
     case Reduction::percentile:
       return "percentile of";
     case Reduction::cvar:
@@ -78,8 +78,10 @@ std::string objective_text(const Scene& scene) {
     return "weighted sum of " + std::to_string(terms.size()) + " terms" +
            robust_text(scene);
   const ObjectiveTerm term = terms.empty() ? ObjectiveTerm{} : terms.front();
-  return std::string(word(term.reduction)) + " " +
-         (term.metric.empty() ? scene.metric : term.metric) + robust_text(scene);
+  const auto metric = std::get<Metric>(parse_metric(
+      term.metric.empty() ? scene.metric : term.metric, scene.motion.layout));
+  return std::string(word(term.reduction, metric.larger_is_better)) + " " +
+         metric.name + robust_text(scene);
 }
 
 std::string objective_unit(const Scene& scene) {

@@ -44,9 +44,7 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
     for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";
     return;
   }
-  const bool up = loaded.metric.larger_is_better;
-  const Extreme& best = up ? s.max : s.min;
-  const Extreme& worst = up ? s.min : s.max;
+  const Extreme &best = s.best(), &worst = s.worst();
   out << "  best    " << value(best.value) << "  at " << coordinates(best.at) << " m\n"
       << "  mean    " << value(s.mean) << "\n"
       << "  median  " << value(s.median) << "\n"

@@ -23,12 +23,12 @@ bool Score::feasible() const {
          std::all_of(slacks.begin(), slacks.end(), [](double s) { return s >= 0; });
 }
 
-std::size_t Problem::State::metric_index(const std::string& name) {
+std::size_t Problem::State::metric_index(const std::string& name, bool plain) {
   const auto metric = std::get<Metric>(
       parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
   for (std::size_t m = 0; m < metrics.size(); ++m)
-    if (metrics[m].name == metric.name) return m;
-  metrics.push_back(metric);
+    if (metrics[m].metric.name == metric.name && metrics[m].plain == plain) return m;
+  metrics.push_back({metric, plain});
   return metrics.size() - 1;
 }
 
@@ -37,7 +37,7 @@ void Problem::State::read_objective() {
   if (all.empty()) {
     all.emplace_back();
     const std::size_t own = metric_index("");
-    all.front().maximize = metrics[own].larger_is_better;
+    all.front().maximize = metrics[own].metric.larger_is_better;
   }
   // Where solids are is asked once: searches seldom move them.
   std::vector<unsigned char> inside;
@@ -48,14 +48,23 @@ void Problem::State::read_objective() {
                             coverage, {.threads = options.threads})
                  .inside;
   }
-  for (const ObjectiveTerm& term : all)
-    terms.push_back({term, metric_index(term.metric),
+  for (const ObjectiveTerm& term : all) {
+    const std::size_t m =
+        metric_index(term.metric, term.reduction == Reduction::fraction);
+    const Metric& metric = metrics[m].metric;
+    const double sign = metric.larger_is_better ? -1 : 1;
+    // Half a device short of a count is where it changes.
+    const double soft_limit =
+        metric.kind == MetricKind::coverage ? std::ceil(term.limit) - 0.5 : term.limit;
+    terms.push_back({term, sign * soft_limit, m, sign,
                      term_weights(term, scene(), samples, inside)});
+    terms.back().term.limit = sign * term.limit;
+  }
   for (std::size_t c = 0; c < scene().constraints.size(); ++c) {
     const auto* keep = std::get_if<KeepMetric>(&scene().constraints[c].what);
     if (!keep) continue;
     MetricLimit limit{c, metric_index(keep->metric), keep->limit, 1, {}};
-    if (metrics[limit.metric].larger_is_better) limit.sign = -1;
+    if (metrics[limit.metric].metric.larger_is_better) limit.sign = -1;
     for (std::size_t i = 0; i < samples.set.size(); ++i) {
       const bool in =
           keep->in.empty() || scene().samples[samples.set[i]].name == keep->in;
@@ -134,20 +143,51 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
   double sum = 0;
   std::vector<double> costs, of_term;
   for (const Term& t : terms) {
-    const double sign = t.term.maximize ? -1 : 1;
-    const bool larger = metrics[t.metric].larger_is_better;
-    const double blind = larger ? 0 : kBlindCost * guess;
+    const bool fraction = t.term.reduction == Reduction::fraction;
+    const double blind = fraction ? kInfinity : t.sign < 0 ? 0 : kBlindCost * guess;
     costs = values[t.metric];
-    for (double& c : costs) c = sign * (std::isfinite(c) ? c : blind);
+    for (double& c : costs) c = std::isfinite(c) ? t.sign * c : blind;
     of_term.resize(slopes ? costs.size() : 0);
-    sum += t.term.weight *
-           reduce(t.term, costs, t.weights, blur, slopes ? of_term.data() : nullptr);
+    ObjectiveTerm term = t.term;
+    if (width) term.limit = t.soft_limit;
+    sum += term.weight *
+           reduce(term, costs, t.weights, blur, slopes ? of_term.data() : nullptr);
     for (std::size_t i = 0; i < of_term.size(); ++i) {
       if (std::isfinite(values[t.metric][i]))
-        (*slopes)[t.metric][i] += t.term.weight * sign * of_term[i];
+        (*slopes)[t.metric][i] += term.weight * t.sign * of_term[i];
     }
   }
   return sum;
+}
+
+/// What a metric costs where nothing but the guess is known.
+double Problem::State::cost_of_guess(std::size_t m) const {
+  System blind = nominal.system;
+  add_guess(blind, guess);
+  blind.devices.erase(blind.devices.begin(), blind.devices.end() - 1);
+  Samples one;
+  one.points = {samples.samples.points.front()};
+  one.parts = {{"", 0, 1, ScatteredShape{}}};
+  const Metric& metric = metrics[m].metric;
+  const double value =
+      evaluate_field(blind, one, scene().orientations, metric, field_options())
+          .value.front();
+  return metric.larger_is_better ? -value : value;
+}
+
+/// Where a limit is what counts, the guess alone misses it by far: a search must not
+/// take what it doesn't see for kept.
+void Problem::State::weaken_guess() {
+  constexpr double kFar = 4;
+  if (!takes_guess(nominal.system)) return;
+  for (const Term& t : terms) {
+    if (t.term.reduction != Reduction::fraction ||
+        metrics[t.metric].metric.kind == MetricKind::coverage)
+      continue;
+    const double far = t.sign > 0 ? kFar * t.term.limit : t.term.limit / kFar;
+    constexpr int kDoublings = 60;
+    for (int i = 0; i < kDoublings && cost_of_guess(t.metric) < far; ++i) guess *= 2;
+  }
 }
 
 void Problem::State::metric_slacks(const FieldValues& values, double* out) const {
@@ -180,6 +220,7 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
           ? scene.objective.guess
           : typical_guess(s.nominal.system, s.samples.samples, scene.orientations);
   s.read_objective();
+  if (scene.objective.guess == 0) s.weaken_guess();
   s.read_limits();
   s.read_robust();
   s.find_touched();
@@ -189,14 +230,16 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
       if (s.nominal.system.devices[i].beacons)
         s.slope_problem = "what " + s.nominal.system.devices[i].name +
                           " sees of beacons has no derivative here";
-  for (const Metric& metric : s.metrics) {
+  std::vector<Metric> metrics;
+  for (const AskedMetric& asked : s.metrics) {
+    const Metric& metric = metrics.emplace_back(asked.metric);
     if (const std::string problem = metric_problem(s.nominal.system, metric);
         !problem.empty())
       throw std::invalid_argument(problem);
     if (s.slope_problem.empty())
       s.slope_problem = delos::slope_problem(s.nominal.system, metric);
   }
-  s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, s.metrics,
+  s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, metrics,
                                        guess_information(s.nominal.system, s.guess),
                                        options.threads);
 }

@@ -17,11 +17,20 @@
 
 namespace delos {
 
-/// A term of the objective, ready to be reduced.
+/// A term of the objective, ready to be reduced: in costs, of which less is better.
 struct Term {
-  ObjectiveTerm term;
+  ObjectiveTerm term;  // its limit is one of costs
+  double soft_limit;   // the same where edges are soft
   std::size_t metric;
+  double sign;  // cost = sign · value
   std::vector<double> weights;
+};
+
+/// A metric that is asked for.
+struct AskedMetric {
+  Metric metric;
+  /// Judged without the guess, as limits are: what no device sees meets none.
+  bool plain = false;
 };
 
 /// A limit on a metric.
@@ -64,7 +73,7 @@ struct Problem::State {
   Design design;
   GeometryLimits geometry;
   SearchSamples samples;
-  std::vector<Metric> metrics;
+  std::vector<AskedMetric> metrics;
   std::vector<Term> terms;
   std::vector<MetricLimit> metric_limits;
   std::vector<Limit> limits;
@@ -79,8 +88,10 @@ struct Problem::State {
 
   [[nodiscard]] const Scene& scene() const { return design.scene(); }
 
-  std::size_t metric_index(const std::string& name);
+  std::size_t metric_index(const std::string& name, bool plain = false);
   void read_objective();
+  double cost_of_guess(std::size_t metric) const;
+  void weaken_guess();
   void read_limits();
   void read_robust();
   Field octree(AdaptiveSampling box);

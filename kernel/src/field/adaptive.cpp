@@ -65,6 +65,7 @@ Field AdaptiveField::State::node_field() const {
   Field f;
   f.metric = metric.name;
   f.unit = metric.unit;
+  f.larger_is_better = metric.larger_is_better;
   f.definition = {system.fusion, system.covariance};
   f.threads = threads;
   f.evaluations = evaluations;
@@ -134,6 +135,7 @@ Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) cons
   Field f;
   f.metric = metric.name;
   f.unit = metric.unit;
+  f.larger_is_better = metric.larger_is_better;
   f.definition = {system.fusion, system.covariance};
   f.threads = threads;
   f.samples = samples;

@@ -87,6 +87,7 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
       static_cast<std::size_t>(std::find(done.begin(), done.end(), 0) - done.begin());
   field.metric = metric.name;
   field.unit = metric.unit;
+  field.larger_is_better = metric.larger_is_better;
   field.definition = {system.fusion, system.covariance};
   field.samples = samples;
   field.evaluated = std::min(reached * kLanes, points);

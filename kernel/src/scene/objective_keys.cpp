@@ -173,6 +173,14 @@ void check_term(Reader& reader, const Place& at, const TermDraft& draft) {
                         metric.larger_is_better
                             ? "more " + metric.name + " is better: maximize it"
                             : "less " + metric.name + " is better: minimize it");
+  const bool of_costs = draft.term.reduction == Reduction::p_norm ||
+                        draft.term.reduction == Reduction::soft_max;
+  if (of_costs && metric.larger_is_better)
+    reader.error_within(at, reduction->mark, draft.reduction,
+                        std::string(word_of(kReductionWords, draft.term.reduction)) +
+                            " weighs what is large, but of " + metric.name +
+                            " the least matters; use mean, cvar, percentile or "
+                            "maximum, which is the least");
   if (fraction && draft.term.maximize)
     reader.error_within(at, reduction->mark, draft.reduction,
                         "fraction is the part of the samples that miss the limit: "
