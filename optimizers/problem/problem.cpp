@@ -16,6 +16,11 @@ namespace {
 /// What a sample costs, in units of the guess, where no guess can help.
 constexpr double kBlindCost = 1e3;
 
+/// What a limit is where edges are soft: of a count, half a device short of it.
+double soft_limit(const Metric& metric, double limit) {
+  return metric.kind == MetricKind::coverage ? std::ceil(limit) - 0.5 : limit;
+}
+
 }  // namespace
 
 bool Score::feasible() const {
@@ -53,18 +58,17 @@ void Problem::State::read_objective() {
         metric_index(term.metric, term.reduction == Reduction::fraction);
     const Metric& metric = metrics[m].metric;
     const double sign = metric.larger_is_better ? -1 : 1;
-    // Half a device short of a count is where it changes.
-    const double soft_limit =
-        metric.kind == MetricKind::coverage ? std::ceil(term.limit) - 0.5 : term.limit;
-    terms.push_back({term, sign * soft_limit, m, sign,
+    terms.push_back({term, sign * soft_limit(metric, term.limit), m, sign,
                      term_weights(term, scene(), samples, inside)});
     terms.back().term.limit = sign * term.limit;
   }
   for (std::size_t c = 0; c < scene().constraints.size(); ++c) {
     const auto* keep = std::get_if<KeepMetric>(&scene().constraints[c].what);
     if (!keep) continue;
-    MetricLimit limit{c, metric_index(keep->metric), keep->limit, 1, {}};
-    if (metrics[limit.metric].metric.larger_is_better) limit.sign = -1;
+    MetricLimit limit{c, metric_index(keep->metric), keep->limit, keep->limit, 1, {}};
+    const Metric& metric = metrics[limit.metric].metric;
+    limit.soft_limit = soft_limit(metric, keep->limit);
+    if (metric.larger_is_better) limit.sign = -1;
     for (std::size_t i = 0; i < samples.set.size(); ++i) {
       const bool in =
           keep->in.empty() || scene().samples[samples.set[i]].name == keep->in;
@@ -236,6 +240,10 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
     if (const std::string problem = metric_problem(s.nominal.system, metric);
         !problem.empty())
       throw std::invalid_argument(problem);
+    if (metric.kind == MetricKind::coverage &&
+        scene.orientations.combine == OrientationRule::information)
+      s.slope_problem =
+          "coverage in any of several orientations has no derivative here";
     if (s.slope_problem.empty())
       s.slope_problem = delos::slope_problem(s.nominal.system, metric);
   }

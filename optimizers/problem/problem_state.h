@@ -38,7 +38,8 @@ struct MetricLimit {
   std::size_t constraint;
   std::size_t metric;
   double limit;
-  double sign;  ///< 1: at most, −1: at least
+  double soft_limit;  ///< the same where edges are soft
+  double sign;        ///< 1: at most, −1: at least
   std::vector<std::size_t> samples;
 
   [[nodiscard]] double unit() const { return std::max(std::abs(limit), 1e-12); }

@@ -121,10 +121,12 @@ bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
          placed.device->observe_smoothly({0.1, 0.2, 1.0}, rows);
 }
 
-bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
-                                   double weight, Sightline* lines,
-                                   StateMatrix& S) const {
-  if (placed.beacons || placed.device->span() != Span::point) return false;
+std::optional<double> SoftInformation::add_smoothly(const PlacedDevice& placed,
+                                                    const TargetPose& X_WT,
+                                                    double weight, Sightline* lines,
+                                                    StateMatrix& S) const {
+  if (placed.beacons || placed.device->span() != Span::point) return std::nullopt;
+  double unseen = 1;
   const Eigen::Matrix3d R_WS = placed.X_WS.R;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
@@ -136,12 +138,14 @@ bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose&
       line.visibility = 0;
       continue;
     }
-    if (!placed.device->observe_smoothly(p, rows)) return false;
-    double v = weight * view(rows.margin);
+    if (!placed.device->observe_smoothly(p, rows)) return std::nullopt;
+    double v = view(rows.margin);
     if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
     v *= line.visibility;
     if (v == 0) continue;
-    const Eigen::Matrix3d of_point = v * R_WS * information(rows) * R_WS.transpose();
+    unseen *= 1 - v;
+    const Eigen::Matrix3d of_point =
+        weight * v * R_WS * information(rows) * R_WS.transpose();
     if (system_.motion.layout.pose == PoseState::position) {
       S.topLeftCorner<3, 3>() += of_point;
       continue;
@@ -149,20 +153,39 @@ bool SoftInformation::add_smoothly(const PlacedDevice& placed, const TargetPose&
     const StateRows J = lever(system_.motion.layout, arm, columns_);
     S += J.transpose() * of_point * J;
   }
-  return true;
+  return 1 - unseen;
 }
 
-void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
-                          double weight, Sightline* lines, MeasureScratch& scratch,
-                          StateMatrix& S) const {
-  if (add_smoothly(placed, X_WT, weight, lines, S)) return;
+double SoftInformation::unseen_by_others(const PlacedDevice& placed,
+                                         const TargetPose& X_WT, const Sightline* lines,
+                                         std::size_t marker) const {
+  double unseen = 1;
+  SmoothRows rows;
+  for (std::size_t m = 0; m < system_.markers.size(); ++m) {
+    if (m == marker || !(lines[m].visibility > 0)) continue;
+    const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
+    const Eigen::Vector3d p =
+        placed.X_WS.R.transpose() * (X_WT.p + arm - placed.X_WS.p);
+    if (p.isZero(0) || !placed.device->observe_smoothly(p, rows)) continue;
+    unseen *= 1 - view(rows.margin) * lines[m].visibility;
+  }
+  return unseen;
+}
+
+double SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
+                            double weight, Sightline* lines, MeasureScratch& scratch,
+                            StateMatrix& S) const {
+  if (const auto seen = add_smoothly(placed, X_WT, weight, lines, S)) return *seen;
+  bool seen = false;
   measure(system_, placed, X_WT, columns_, scratch,
           [&](const StateRows& rows, const decltype(Observation::R)& R) {
+            seen = true;
             const auto noisy = [&](const auto& row, double variance) {
               S += weight / variance * row.transpose() * row;
             };
             whiten(rows, R, noisy, [](const auto&) {});
           });
+  return seen ? 1 : 0;
 }
 
 // With K = R_SW J G Jᵀ R_WS, J the lever, and p = R_SW (m − p_WS), m the marker:
@@ -170,8 +193,12 @@ void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
 //   ⟨G, S⟩ = v ⟨K, I(p)⟩,   I = Σ hᵀ h / r
 //   δp_WS:  δp = −R_SW δp_WS
 //   φ:      δp = −R_SW (φ × (m − p_WS)),  δ(R_WS I R_SW) = [φ]× I_W − I_W [φ]×
+//
+// What is seen of a marker changes both ⟨G, S⟩, by ⟨K, I⟩, and 1 − Π (1 − v), by the
+// part that the other markers leave.
 PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X_WT,
-                                 Sightline* lines, const StateMatrix& G) const {
+                                 const Sightline* lines, const StateMatrix& G,
+                                 double g) const {
   PoseSlope total = PoseSlope::Zero();
   const Eigen::Matrix3d R_WS = placed.X_WS.R;
   SmoothRows rows;
@@ -194,7 +221,8 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
     }
     const Eigen::Matrix3d K = R_WS.transpose() * G_point * R_WS;
     const Eigen::Matrix3d I = information(rows);
-    const double form = K.cwiseProduct(I).sum();
+    const double form = K.cwiseProduct(I).sum() +
+                        (g != 0 ? g * unseen_by_others(placed, X_WT, lines, m) : 0);
     const double view_slope = width_ > 0 ? 4 / width_ * v * (1 - v) : 0;
     const Eigen::Vector3d by_p =
         line.visibility *
