@@ -106,17 +106,21 @@ std::vector<double> seen_parts(const LoadedScene& loaded, const Field& field) {
 /// What is lost where a device is taken away.
 void fail(report::DeviceRow& row, const Field& whole, const Field& without) {
   double before = 0, after = 0, weights = 0;
+  bool defined = false;
   for (std::size_t i = 0; i < whole.value.size(); ++i) {
     if (!whole.inside.empty() && whole.inside[i]) continue;
     row.lost += whole.observable[i] && !without.observable[i];
+    defined = defined || std::isfinite(whole.value[i]);
     if (!std::isfinite(whole.value[i]) || !std::isfinite(without.value[i])) continue;
     const double weight = whole.weight.empty() ? 1 : whole.weight[i];
     before += weight * whole.value[i];
     after += weight * without.value[i];
     weights += weight;
   }
-  row.mean_rise = weights > 0 && before != 0 ? (after - before) / std::abs(before)
-                                             : std::numeric_limits<double>::infinity();
+  row.mean_rise = !defined ? std::numeric_limits<double>::quiet_NaN()
+                  : weights > 0 && before != 0
+                      ? (after - before) / std::abs(before)
+                      : std::numeric_limits<double>::infinity();
 }
 
 std::vector<report::DeviceRow> device_rows(const LoadedScene& loaded,

@@ -56,10 +56,12 @@ double value_without(System system, std::size_t device, const TargetPose& pose,
   return value_of(metric, system, state, block);
 }
 
-/// By what fraction the metric gets worse from `with` to `without`.
+/// By what fraction the metric gets worse from `with` to `without`; NaN where it has no
+/// value anyway.
 double rise(double with, double without, bool larger_is_better) {
-  if (!std::isfinite(with)) return 0;
+  if (!std::isfinite(with)) return std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(without)) return kInfinity;
+  if (with == without) return 0;
   return larger_is_better ? with / without - 1 : without / with - 1;
 }
 
