@@ -166,6 +166,13 @@ std::optional<Spec> better_spec(const CompareCommand& command, const Metric& met
               std::get<double>(limit)};
 }
 
+/// Whether a side's fusion is what the comparison is about.
+bool sets_fusion(const Side& side) {
+  return std::any_of(side.set.begin(), side.set.end(), [](const std::string& change) {
+    return change.starts_with("fusion=");
+  });
+}
+
 /// Give all sides one fusion, unless they demand different ones.
 void evaluate_alike(std::vector<LoadedScene>& sides) {
   std::vector<const Scene*> scenes;
@@ -178,8 +185,10 @@ void evaluate_alike(std::vector<LoadedScene>& sides) {
 std::vector<LoadedScene> load_sides(const CompareCommand& command,
                                     PluginRegistry& plugins) {
   std::vector<LoadedScene> scenes;
+  bool asked = false;
   for (const std::string& text : command.scenes) {
     const Side side = side_of(text);
+    asked = asked || sets_fusion(side);
     SceneOptions options = command.options;
     options.set.insert(options.set.end(), side.set.begin(), side.set.end());
     scenes.push_back(load(side.file, options, plugins));
@@ -187,7 +196,7 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
       scenes.back().scene.name += " + " + change;
     }
   }
-  evaluate_alike(scenes);
+  if (!asked) evaluate_alike(scenes);
   const Metric& metric = scenes.front().metric;
   for (std::size_t i = 1; i < scenes.size(); ++i) {
     if (scenes[i].metric.name != metric.name || scenes[i].metric.unit != metric.unit) {

@@ -63,14 +63,17 @@ TEST(Comparison, IsStackedWhereAllScenesMayBe) {
   };
   EXPECT_EQ(fusion({&slow, &fast}), Fusion::stacked);
   EXPECT_EQ(fusion({&slow, &fast, &mixed}), Fusion::continuous);
-  Scene said = slow;
-  said.fusion = Fusion::periodic;
-  EXPECT_EQ(fusion({&slow, &said, &mixed}), Fusion::periodic);
+  // What a scene would be anyway it doesn't demand, though it says so.
+  Scene said = slow, mixed_said = mixed;
   said.fusion = Fusion::stacked;
-  EXPECT_EQ(fusion({&slow, &said}), Fusion::stacked);
-  EXPECT_EQ(fusion({&said, &mixed}), std::nullopt);  // of several rates
+  mixed_said.fusion = Fusion::continuous;
+  EXPECT_EQ(fusion({&said, &fast}), Fusion::stacked);
+  EXPECT_EQ(fusion({&said, &mixed_said}), Fusion::continuous);
+  said.fusion = Fusion::periodic;
+  EXPECT_EQ(fusion({&slow, &said, &mixed_said}), Fusion::periodic);
   Scene other = fast;
   other.fusion = Fusion::artemis;
+  EXPECT_EQ(fusion({&slow, &other}), Fusion::artemis);
   EXPECT_EQ(fusion({&said, &other}), std::nullopt);
 }
 

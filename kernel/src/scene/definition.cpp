@@ -36,7 +36,12 @@ std::map<std::string, RateSource> varied_rates(const Scene& scene) {
   return varied;
 }
 
-/// Whether a scene that doesn't say its fusion can have this one.
+Fusion default_fusion(const Scene& scene) {
+  const bool one = !scene.motion.is_chain() || has_one_rate(scene);
+  return one ? Fusion::stacked : Fusion::continuous;
+}
+
+/// Whether a scene can have this fusion.
 bool takes(const Scene& scene, Fusion fusion) {
   if (fusion == Fusion::stacked) return has_one_rate(scene);
   return scene.motion.is_chain() ||
@@ -72,9 +77,7 @@ bool has_one_rate(const Scene& scene) {
 }
 
 Definition definition_of(const Scene& scene) {
-  const bool one = !scene.motion.is_chain() || has_one_rate(scene);
-  return {scene.fusion.value_or(one ? Fusion::stacked : Fusion::continuous),
-          scene.covariance};
+  return {scene.fusion.value_or(default_fusion(scene)), scene.covariance};
 }
 
 Scene with_definition(Scene scene) {
@@ -84,20 +87,17 @@ Scene with_definition(Scene scene) {
 
 std::optional<Fusion> common_fusion(std::span<const Scene* const> scenes) {
   std::optional<Fusion> common;
+  bool stacked = true;
   for (const Scene* scene : scenes) {
-    if (!scene->fusion) continue;
-    if (common && *common != *scene->fusion) return std::nullopt;
-    common = scene->fusion;
+    const Fusion own = default_fusion(*scene), said = scene->fusion.value_or(own);
+    stacked = stacked && own == Fusion::stacked;
+    if (said == own) continue;
+    if (common && *common != said) return std::nullopt;
+    common = said;
   }
-  if (!common) {
-    const bool stacked =
-        std::all_of(scenes.begin(), scenes.end(), [](const Scene* scene) {
-          return definition_of(*scene).fusion == Fusion::stacked;
-        });
-    common = stacked ? Fusion::stacked : Fusion::continuous;
-  }
+  if (!common) common = stacked ? Fusion::stacked : Fusion::continuous;
   const bool all = std::all_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
-    return scene->fusion || takes(*scene, *common);
+    return takes(*scene, *common);
   });
   return all ? common : std::nullopt;
 }

@@ -30,16 +30,17 @@ struct Definition {
 /// Whether all devices have one rate, whatever the variables are set to.
 [[nodiscard]] DELOS_API bool has_one_rate(const Scene& scene);
 
-/// What a scene's numbers are of. Its fusion, where it doesn't say: stacked where
-/// has_one_rate(), or motion is one update, else continuous. So no design of a search
-/// has another definition than the scene that it began with.
+/// What a scene's numbers are of. Its fusion, where it doesn't say, is its default:
+/// stacked where has_one_rate(), or motion is one update, else continuous. So no design
+/// of a search has another definition than the scene that it began with.
 [[nodiscard]] DELOS_API Definition definition_of(const Scene& scene);
 
 /// The scene with its fusion written down, so that parts and copies of it keep it.
 [[nodiscard]] DELOS_API Scene with_definition(Scene scene);
 
-/// The one fusion under which scenes are compared: what those that say it agree on;
-/// where none does, stacked if each would be, else continuous.
+/// The one fusion under which scenes are compared. A scene that says another one than
+/// its default demands it; all that do must agree. Where none does: stacked if that is
+/// every scene's default, else continuous.
 /// @returns nullopt where they demand different ones, or one can't have what others
 ///          demand
 /// @pre there is a scene
