@@ -55,13 +55,13 @@ std::vector<MetSpec> met_specs(const std::vector<Spec>& specs,
   return all;
 }
 
-std::string share_text(const SpecShare& share) {
+std::string met_text(const SpecShare& share) {
   return format_quantity(100 * share.share, "1") + " %";
 }
 
 void print_specs(std::ostream& out, const std::vector<MetSpec>& all) {
   for (const auto& [spec, share, by_volume] : all)
-    out << spec.text << ": " << share_text(share)
+    out << spec.text << ": " << met_text(share)
         << (by_volume ? " of the volume, " : " of the samples, ") << share.met << " of "
         << counted(share.samples, by_volume ? "node" : "sample") << "\n";
 }

@@ -33,7 +33,7 @@ struct MetSpec {
                                              const Interrupt& interrupt);
 
 /// "48.3 %"
-[[nodiscard]] std::string share_text(const SpecShare& share);
+[[nodiscard]] std::string met_text(const SpecShare& share);
 void print_specs(std::ostream& out, const std::vector<MetSpec>& all);
 [[nodiscard]] Json specs_json(const std::vector<MetSpec>& all);
 
