@@ -179,7 +179,8 @@ void evaluate_alike(std::vector<LoadedScene>& sides) {
   for (const LoadedScene& side : sides) scenes.push_back(&side.scene);
   const auto fusion = common_fusion(scenes);
   if (!fusion) return;
-  for (LoadedScene& side : sides) side.system.fusion = *fusion;
+  for (LoadedScene& side : sides)
+    if (side.system.covariance != CovarianceKind::single) side.system.fusion = *fusion;
 }
 
 std::vector<LoadedScene> load_sides(const CompareCommand& command,

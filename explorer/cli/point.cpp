@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "delos/observe/beacon_use.h"
+#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "json.h"
 #include "lost_directions.h"
@@ -49,8 +50,8 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   json["fusion"] = to_string(loaded.system.fusion);
   json["solver"] = to_string(report.solver);
   json["covariance_of"] = to_string(state.of);
-  json["state"] = loaded.scene.motion.layout.names();
-  json["units"] = loaded.scene.motion.layout.units();
+  json["state"] = covariance_layout(loaded.scene).names();
+  json["units"] = covariance_layout(loaded.scene).units();
   json["inside"] = report.inside;
   json["observable"] = state.status == RiccatiStatus::converged;
   json["unobservable_directions"] = rows(state.unobservable.transpose());
@@ -59,7 +60,10 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
     json["metrics"][m.metric.name] = {{"value", number(m.value)},
                                       {"unit", m.metric.unit}};
   }
-  json["P_prior"] = covariance(state.prior);
+  // Before a single reading nothing is known.
+  json["P_prior"] = loaded.system.covariance == CovarianceKind::single
+                        ? Json()
+                        : covariance(state.prior);
   json["P_posterior"] = covariance(state.posterior);
   if (state.worst_prior.size() > 0) {
     json["P_worst_prior"] = covariance(state.worst_prior);
@@ -145,9 +149,7 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
   if (report.inside) out << "  The point is inside a solid: fields leave it out.\n";
   for (const std::string& line : lost_directions(loaded.system, report))
     out << "  " << line << "\n";
-  out << to_string(loaded.system.fusion) << " fusion, "
-      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
-                                                            : "a-posteriori")
+  out << to_string(Definition{loaded.system.fusion, loaded.system.covariance})
       << ", solver " << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";

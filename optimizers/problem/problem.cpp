@@ -6,6 +6,7 @@
 
 #include "delos/field/adaptive.h"
 #include "delos/model/infinity.h"
+#include "delos/scene/definition.h"
 #include "problem/guess.h"
 #include "problem/problem_state.h"
 #include "problem/reduce.h"
@@ -30,7 +31,7 @@ bool Score::feasible() const {
 
 std::size_t Problem::State::metric_index(const std::string& name, bool plain) {
   const auto metric = std::get<Metric>(
-      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+      parse_metric(name.empty() ? scene().metric : name, covariance_layout(scene())));
   for (std::size_t m = 0; m < metrics.size(); ++m)
     if (metrics[m].metric.name == metric.name && metrics[m].plain == plain) return m;
   metrics.push_back({metric, plain});
@@ -48,7 +49,7 @@ void Problem::State::read_objective() {
   std::vector<unsigned char> inside;
   if (nominal.system.in_world.triangles() > 0) {
     const auto coverage =
-        std::get<Metric>(parse_metric("coverage", scene().motion.layout));
+        std::get<Metric>(parse_metric("coverage", covariance_layout(scene())));
     inside = evaluate_field(nominal.system, samples.samples, scene().orientations,
                             coverage, {.threads = options.threads})
                  .inside;
@@ -102,7 +103,7 @@ Field Problem::State::octree(AdaptiveSampling box) {
   const auto& terms = scene().objective.terms;
   const std::string name = terms.empty() ? "" : terms.front().metric;
   const auto metric = std::get<Metric>(
-      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+      parse_metric(name.empty() ? scene().metric : name, covariance_layout(scene())));
   if (options.samples > 0) {
     const auto most =
         static_cast<std::int64_t>(options.samples * scene().orientations.rpy.size());
@@ -305,7 +306,7 @@ Field Problem::field(std::span<const double> x) {
   State& s = *state_;
   s.build(x);
   const auto metric =
-      std::get<Metric>(parse_metric(s.scene().metric, s.scene().motion.layout));
+      std::get<Metric>(parse_metric(s.scene().metric, covariance_layout(s.scene())));
   Field field =
       evaluate_field(s.nominal.system, all_samples(s.scene()), s.scene().orientations,
                      metric, {.threads = s.options.threads});

@@ -164,6 +164,12 @@ INSTANTIATE_TEST_SUITE_P(
                "2]}"},
               {"target", "{markers: [[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.15]]}"}},
              40},
+        // One reading of everything, without motion.
+        Case{"03-hybrid",
+             "[{path: devices.*.at, lower: -6, upper: 7}]",
+             "{terms: [{minimize: mean, of: sigma_position}, {minimize: cvar, of: "
+             "eigmax}]}",
+             {{"covariance", "single"}}},
         // Limits on places, numbers and metrics.
         Case{"10-better-speakers",
              kSpeakers,

@@ -15,7 +15,10 @@
 
 namespace delos {
 std::string metric_problem(const System& system, const Metric& metric) {
-  if (metric.kind != MetricKind::latency || system.fusion != Fusion::artemis) return "";
+  if (metric.kind != MetricKind::latency) return "";
+  if (system.covariance == CovarianceKind::single)
+    return "metric latency: a single reading has no closed loop; use covariance: prior";
+  if (system.fusion != Fusion::artemis) return "";
   return "metric latency: artemis fusion has no closed loop; use stacked or continuous";
 }
 

@@ -50,13 +50,22 @@ bool takes(const Scene& scene, Fusion fusion) {
 
 }  // namespace
 
+StateLayout covariance_layout(const Scene& scene) {
+  if (scene.covariance != CovarianceKind::single) return scene.motion.layout;
+  return {scene.motion.layout.pose, 1, {}};
+}
+
 std::string to_string(const Definition& definition) {
+  if (definition.covariance == CovarianceKind::single)
+    return "covariance of a single reading";
   return std::string(definition.covariance == CovarianceKind::prior ? "a-priori"
                                                                     : "a-posteriori") +
          " covariance, " + to_string(definition.fusion) + " fusion";
 }
 
 bool alike(const Definition& a, const Definition& b) {
+  if (a.covariance == CovarianceKind::single || b.covariance == CovarianceKind::single)
+    return a.covariance == b.covariance;
   const bool one_covariance =
       a.fusion == Fusion::continuous || a.fusion == Fusion::periodic;
   return a.fusion == b.fusion && (one_covariance || a.covariance == b.covariance);
@@ -77,11 +86,14 @@ bool has_one_rate(const Scene& scene) {
 }
 
 Definition definition_of(const Scene& scene) {
+  if (scene.covariance == CovarianceKind::single)
+    return {Fusion::stacked, CovarianceKind::single};
   return {scene.fusion.value_or(default_fusion(scene)), scene.covariance};
 }
 
 Scene with_definition(Scene scene) {
-  scene.fusion = definition_of(scene).fusion;
+  if (scene.covariance != CovarianceKind::single)
+    scene.fusion = definition_of(scene).fusion;
   return scene;
 }
 

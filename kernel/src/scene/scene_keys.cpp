@@ -94,7 +94,8 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
        read_orientations(r, p, d.scene.orientations);
      },
      [](const SceneDraft& d) -> Written { return write_orientations(d.scene); }},
-    {"covariance", Need::optional, "the one that the metric reads: prior or posterior",
+    {"covariance", Need::optional,
+     "the one that the metric reads: prior, posterior or single",
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (const auto kind = r.choice(p, kCovarianceWords)) d.scene.covariance = *kind;
      },
@@ -105,7 +106,7 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
      [](Reader& r, const Place& p, SceneDraft& d) {
        auto metric = r.word(p);
        if (!metric) return;
-       const auto known = parse_metric(*metric, d.scene.motion.layout);
+       const auto known = parse_metric(*metric, covariance_layout(d.scene));
        const auto* problem = std::get_if<std::string>(&known);
        if (problem && d.known.motion) r.error(p, *problem);
        d.scene.metric = std::move(*metric);
@@ -249,7 +250,7 @@ void check_orientations(Reader& reader, const Place& root) {
 void read_near_metric(Reader& reader, const Place& root, SceneDraft& draft) {
   const Node* sample = root.node().find("sample");
   if (!sample || !draft.known.motion) return;
-  const auto metric = parse_metric(draft.scene.metric, draft.scene.motion.layout);
+  const auto metric = parse_metric(draft.scene.metric, covariance_layout(draft.scene));
   if (const auto* known = std::get_if<Metric>(&metric))
     read_near(reader, Place(root, "sample", *sample), known->unit, draft.scene);
 }

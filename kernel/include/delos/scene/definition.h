@@ -17,7 +17,10 @@ struct Definition {
   friend bool operator==(const Definition&, const Definition&) = default;
 };
 
-/// "a-priori covariance, stacked fusion"
+/// The states that a scene's covariance has: of a single reading, those of the pose.
+[[nodiscard]] DELOS_API StateLayout covariance_layout(const Scene& scene);
+
+/// "a-priori covariance, stacked fusion", "covariance of a single reading"
 [[nodiscard]] DELOS_API std::string to_string(const Definition& definition);
 
 /// Whether numbers of both can be compared: continuous and periodic fusion know no
@@ -33,9 +36,11 @@ struct Definition {
 /// What a scene's numbers are of. Its fusion, where it doesn't say, is its default:
 /// stacked where has_one_rate(), or motion is one update, else continuous. So no design
 /// of a search has another definition than the scene that it began with.
+/// A single reading has all devices read once, together, whatever their rates: stacked.
 [[nodiscard]] DELOS_API Definition definition_of(const Scene& scene);
 
-/// The scene with its fusion written down, so that parts and copies of it keep it.
+/// The scene with its fusion written down, so that parts and copies of it keep it; but
+/// for single readings, which have none.
 [[nodiscard]] DELOS_API Scene with_definition(Scene scene);
 
 /// The one fusion under which scenes are compared. A scene that says another one than
