@@ -92,7 +92,8 @@ void print_rows(std::ostream& out, const std::vector<Row>& rows, double limit) {
       out << (s.finite > 0 ? value(v) : cell("none", 11));
     }
     if (better) out << cell(format_quantity(100 * *row.better, "1") + " %", 22);
-    for (const MetSpec& met : row.specs) out << spec_cell(met, met_text(met.share));
+    for (const MetSpec& met : row.specs)
+      out << spec_cell(met, percent(met.share.share));
     if (beacons) {
       out << cell(row.use ? format_quantity(row.use->beacons, "1") : "", 9)
           << cell(row.use ? format_quantity(row.use->views, "1") : "", 7);

@@ -4,8 +4,7 @@
 #include <ostream>
 
 #include "delos/scene/definition.h"
-#include "delos/text/format.h"
-#include "summary.h"
+#include "delos/text/words.h"
 
 namespace delos::cli {
 
@@ -56,13 +55,9 @@ std::vector<MetSpec> met_specs(const std::vector<Spec>& specs,
   return all;
 }
 
-std::string met_text(const SpecShare& share) {
-  return format_quantity(100 * share.share, "1") + " %";
-}
-
 void print_specs(std::ostream& out, const std::vector<MetSpec>& all) {
   for (const auto& [spec, share, by_volume] : all)
-    out << spec.text << ": " << met_text(share)
+    out << spec.text << ": " << percent(share.share)
         << (by_volume ? " of the volume, " : " of the samples, ") << share.met << " of "
         << counted(share.samples, by_volume ? "node" : "sample") << "\n";
 }

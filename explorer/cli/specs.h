@@ -32,8 +32,6 @@ struct MetSpec {
                                              const SceneOptions& options,
                                              const Interrupt& interrupt);
 
-/// "48.3 %"
-[[nodiscard]] std::string met_text(const SpecShare& share);
 void print_specs(std::ostream& out, const std::vector<MetSpec>& all);
 [[nodiscard]] Json specs_json(const std::vector<MetSpec>& all);
 
