@@ -7,7 +7,8 @@ namespace delos::test {
 namespace {
 
 /// Allen and Welch (2005), Fig. 6; Allen (2007), Table 6.2: 0.0817 m at 50 Hz. The
-/// digits beyond, and where: tests/shipped_scenes/oracle.csv, at (0, 0, 0) and (0.2, 0.2, 0.8).
+/// digits beyond, and where: tests/shipped_scenes/oracle.csv, at (0, 0, 0) and (0.2,
+/// 0.2, 0.8).
 TEST(FieldCommand, GivesTheContractsMembers) {
   const Finished done =
       run({"field", scene("01-acoustic"), "--json", "--threads", "2"});

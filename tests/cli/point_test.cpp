@@ -61,8 +61,8 @@ TEST(PointCommand, GivesSymmetricCovariancesThatFitTheMetrics) {
   EXPECT_NEAR(metric("sigma_position"), std::sqrt(xx + yy + zz), 1e-15);
 }
 
-/// 0.0189 m: tests/shipped_scenes/oracle.csv. The point is worked out with twice the digits of
-/// the field, which has about 1e-12 of them here.
+/// 0.0189 m: tests/shipped_scenes/oracle.csv. The point is worked out with twice the
+/// digits of the field, which has about 1e-12 of them here.
 TEST(PointCommand, AgreesWithTheFieldAtASample) {
   const std::string best = "0.2,0.2,0.24";
   const double at_point = point("02-eight-cameras", best)["metrics"]["eigmax"]["value"];
