@@ -87,7 +87,9 @@ std::vector<std::string> lost_directions(const System& system,
              plane = !line && (sizes.size() < 3 || sizes(2) < least);
   const Eigen::Vector3d along = svd.matrixU().col(0), normal = svd.matrixU().col(2);
   const std::string who =
-      "the point and all " + std::to_string(arms.size()) + " devices that see it lie ";
+      "the point and " +
+      (arms.size() == 2 ? std::string("both") : "all " + std::to_string(arms.size())) +
+      " devices that see it lie ";
   const auto all_lost = [&](auto&& test) {
     for (Eigen::Index i = 0; i < lost.cols(); ++i)
       if (!test(lost.col(i))) return false;

@@ -59,7 +59,7 @@ void print_specs(std::ostream& out, const std::vector<MetSpec>& all) {
   for (const auto& [spec, share, by_volume] : all)
     out << spec.text << ": " << percent(share.share)
         << (by_volume ? " of the volume, " : " of the samples, ") << share.met << " of "
-        << counted(share.samples, by_volume ? "node" : "sample") << "\n";
+        << share.samples << "\n";
 }
 
 Json specs_json(const std::vector<MetSpec>& all) {

@@ -69,7 +69,7 @@ TEST(FieldCommand, TellsWhichPartMeetsSpecifications) {
   EXPECT_EQ(json["specs"][1]["met"], json["observable"]);
   const std::string text =
       run({"field", "room.yaml", "--spec", "coverage >= 3"}, folder.path()).out;
-  EXPECT_NE(text.find("coverage >= 3: 48.3 % of the samples, 71 of 147 samples"),
+  EXPECT_NE(text.find("coverage >= 3: 48.3 % of the samples, 71 of 147\n"),
             std::string::npos)
       << text;
 }

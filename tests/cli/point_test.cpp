@@ -176,7 +176,7 @@ devices:
   const auto text = [&](const char* at) {
     return run({"point", "line.yaml", "--at", at}, folder.path()).out;
   };
-  EXPECT_NE(text("2,0,1").find("all 2 devices that see it lie on one line"),
+  EXPECT_NE(text("2,0,1").find("both devices that see it lie on one line"),
             std::string::npos);
   // Beside the line they span a plane with it, x and z.
   EXPECT_NE(text("2,0,3").find("lie in one plane, y = 0 m"), std::string::npos);
