@@ -70,7 +70,7 @@ TEST(SingleReading, IsTheInverseOfOneUpdatesInformation) {
                          "1, 2]}"});
       changes.push_back(
           {"target", "{markers: [[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.15]]}"});
-      changes.push_back({"sample.volume.step", "[3 ft, 3 ft, 2 ft]"});
+      changes.push_back({"sample.volume.step", "[2.5 ft, 2.5 ft, 2 ft]"});
     }
     const Scene scene = load(name, changes);
     const Field field = field_of(scene);
