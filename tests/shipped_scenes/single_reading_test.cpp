@@ -36,10 +36,11 @@ double value_of(Scene scene, const std::string& metric) {
   return field_of(scene).value.at(0);
 }
 
-/// P = 3/4 of the identity: VDOP = √(3/4), PDOP = 3/2.
+/// P = 3/4 of the identity: VDOP = √(3/4), HDOP = √(3/2), PDOP = 3/2.
 TEST(SingleReading, IsTheDilutionOfPrecisionWhereRangesAreOfOneMetre) {
   const Scene scene = scene_of(tetrahedron());
   EXPECT_NEAR(value_of(scene, "sigma_z"), std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(value_of(scene, "sigma_horizontal"), std::sqrt(1.5), 1e-12);
   EXPECT_NEAR(value_of(scene, "sigma_position"), 1.5, 1e-12);
   EXPECT_NEAR(value_of(scene, "eigmax"), std::sqrt(0.75), 1e-12);
   EXPECT_NEAR(value_of(scene, "det"), 0.75 * 0.75 * 0.75, 1e-12);
