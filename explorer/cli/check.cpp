@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "command.h"
+#include "delos/scene/definition.h"
 #include "delos/steady/steady_solver.h"
 #include "json.h"
 #include "summary.h"
@@ -35,7 +36,7 @@ Facts facts_of(const LoadedScene& loaded, Solver chosen) {
   if (!problem.empty()) throw std::invalid_argument(problem);
   Facts facts;
   facts.devices = loaded.system.devices.size();
-  facts.states = static_cast<std::size_t>(loaded.scene.motion.layout.size());
+  facts.states = static_cast<std::size_t>(covariance_layout(loaded.scene).size());
   for (const SampleSet& set : loaded.scene.samples)
     facts.samples += static_cast<std::size_t>(sample_count(set));
   facts.fusion = to_string(loaded.system.fusion);

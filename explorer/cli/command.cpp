@@ -3,6 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "delos/scene/definition.h"
 #include "delos/text/units.h"
 #include "progress.h"
 
@@ -16,7 +17,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
                      "Metric instead of the scene's: eigmax, sigma_x, coverage, …");
   command.add_option("--fusion", options.fusion,
                      "stacked, continuous, periodic, sequential or artemis");
-  command.add_option("--covariance", options.covariance, "prior or posterior");
+  command.add_option("--covariance", options.covariance, "prior, posterior or single");
   command
       .add_option("--solver", options.solver, "auto, spectral, doubling or eigenvector")
       ->capture_default_str();
@@ -68,7 +69,7 @@ std::optional<LoadedScene> load(const std::filesystem::path& file,
   reading.reset();
   if (!scene) return std::nullopt;
 
-  const auto metric = parse_metric(scene->metric, scene->motion.layout);
+  const auto metric = parse_metric(scene->metric, covariance_layout(*scene));
   LoadedScene loaded{*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
   if (loaded.scene.name.empty()) loaded.scene.name = file.stem().string();
   return loaded;

@@ -11,10 +11,12 @@
 #include "delos/observe/beacon_use.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
+#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "evaluation.h"
 #include "json.h"
+#include "specs.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -24,6 +26,7 @@ struct CompareCommand {
   SceneOptions options;
   std::vector<std::string> scenes;
   std::string better_than;
+  std::vector<std::string> specs;
   std::vector<std::filesystem::path> out;
 };
 
@@ -47,24 +50,9 @@ struct Row {
   Field field;
   FieldStatistics statistics;
   std::optional<double> better;  ///< the part of the samples that is better than asked
+  std::vector<MetSpec> specs;
   std::optional<BeaconUse> use;  ///< where devices on the target see beacons
 };
-
-/// The part of the samples outside solids whose value is better than `limit`, by volume
-/// where they have weights.
-double part_better(const Field& field, double limit, bool larger_is_better) {
-  double better = 0, all = 0;
-  for (std::size_t i = 0; i < field.value.size(); ++i) {
-    if (!field.inside.empty() && field.inside[i]) continue;
-    const double weight = field.weight.empty() ? 1 : field.weight[i];
-    all += weight;
-    if (!std::isfinite(field.value[i])) continue;
-    if (larger_is_better ? field.value[i] > limit : field.value[i] < limit) {
-      better += weight;
-    }
-  }
-  return all > 0 ? better / all : 0;
-}
 
 /// "field.png" for the second scene, "field-3.png" for the third, …
 std::filesystem::path numbered(const std::filesystem::path& file, std::size_t scene) {
@@ -81,29 +69,55 @@ Json to_json(const Comparison& c) {
           {"common", c.common}};
 }
 
+/// A cell of a specification's column, which is as wide as what it says.
+std::string spec_cell(const MetSpec& met, const std::string& text) {
+  return cell(text, std::max<std::size_t>(met.spec.text.size(), 8) + 3);
+}
+
 void print_rows(std::ostream& out, const std::vector<Row>& rows, double limit) {
   const std::string& unit = rows.front().field.unit;
   const auto value = [&](double v) { return cell(format_quantity(v, unit), 11); };
   const bool better = rows.front().better.has_value();
   const bool beacons = std::any_of(rows.begin(), rows.end(),
                                    [](const Row& r) { return r.use.has_value(); });
-  out << cell("least", 11) << cell("median", 11) << cell("95 %", 11)
-      << cell("greatest", 11);
+  out << cell("best", 11) << cell("median", 11) << cell("95 %", 11)
+      << cell("worst", 11);
   if (better) out << cell("better than " + format_quantity(limit, unit), 22);
+  for (const MetSpec& met : rows.front().specs) out << spec_cell(met, met.spec.text);
   if (beacons) out << cell("beacons", 9) << cell("views", 7);
   out << "observable  scene\n";
   for (const Row& row : rows) {
     const FieldStatistics& s = row.statistics;
-    for (const double v : {s.min.value, s.median, s.p95, s.max.value}) {
+    for (const double v : {s.best().value, s.median, s.p95, s.worst().value}) {
       out << (s.finite > 0 ? value(v) : cell("none", 11));
     }
     if (better) out << cell(format_quantity(100 * *row.better, "1") + " %", 22);
+    for (const MetSpec& met : row.specs)
+      out << spec_cell(met, percent(met.share.share));
     if (beacons) {
       out << cell(row.use ? format_quantity(row.use->beacons, "1") : "", 9)
           << cell(row.use ? format_quantity(row.use->views, "1") : "", 7);
     }
     out << cell(std::to_string(s.observable), 12) << row.field.scene << "\n";
   }
+}
+
+bool evaluated_alike(const std::vector<Row>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+    return alike(row.field.definition, rows.front().field.definition);
+  });
+}
+
+/// Of what covariance the values are: the same for all sides, or else a warning.
+void print_definition(std::ostream& out, const std::vector<Row>& rows) {
+  if (evaluated_alike(rows)) {
+    out << "of the " << to_string(rows.front().field.definition) << ", for all\n";
+    return;
+  }
+  out << "NOT ALIKE: differences are of what is computed, too\n";
+  for (const Row& row : rows)
+    out << "  " << row.field.scene << ": " << to_string(row.field.definition) << "\n";
+  out << "  choose one for all with --fusion and --covariance\n";
 }
 
 void print(std::ostream& out, const std::vector<Row>& rows,
@@ -116,6 +130,7 @@ void print(std::ostream& out, const std::vector<Row>& rows,
     out << "; " << inside << " inside solids left out";
   }
   out << "\n";
+  print_definition(out, rows);
   print_rows(out, rows, limit);
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const Comparison& c = comparisons[i];
@@ -132,6 +147,7 @@ void print(std::ostream& out, const std::vector<Row>& rows,
 Json to_json(const Row& row) {
   Json json = Json::parse(field_json(row.field));
   if (row.better) json["better_than"] = number(*row.better);
+  if (!row.specs.empty()) json["specs"] = specs_json(row.specs);
   if (row.use) {
     json["beacons_used"] = number(row.use->beacons);
     json["views_used"] = number(row.use->views);
@@ -140,21 +156,41 @@ Json to_json(const Row& row) {
   return json;
 }
 
-/// The limit that --better-than gives, in the metric's unit; NaN where it isn't given.
-double limit_of(const CompareCommand& command, const Metric& metric) {
-  if (command.better_than.empty()) return std::numeric_limits<double>::quiet_NaN();
+/// What --better-than asks for, if anything.
+std::optional<Spec> better_spec(const CompareCommand& command, const Metric& metric) {
+  if (command.better_than.empty()) return std::nullopt;
   const auto limit = parse_quantity(command.better_than, metric.unit);
   if (const auto* problem = std::get_if<std::string>(&limit)) {
     throw Failure{kUsage, "--better-than '" + command.better_than + "': " + *problem};
   }
-  return std::get<double>(limit);
+  return Spec{"", metric, metric.larger_is_better ? Relation::above : Relation::below,
+              std::get<double>(limit)};
+}
+
+/// Whether a side's fusion is what the comparison is about.
+bool sets_fusion(const Side& side) {
+  return std::any_of(side.set.begin(), side.set.end(), [](const std::string& change) {
+    return change.starts_with("fusion=");
+  });
+}
+
+/// Give all sides one fusion, unless they demand different ones.
+void evaluate_alike(std::vector<LoadedScene>& sides) {
+  std::vector<const Scene*> scenes;
+  for (const LoadedScene& side : sides) scenes.push_back(&side.scene);
+  const auto fusion = common_fusion(scenes);
+  if (!fusion) return;
+  for (LoadedScene& side : sides)
+    if (side.system.covariance != CovarianceKind::single) side.system.fusion = *fusion;
 }
 
 std::vector<LoadedScene> load_sides(const CompareCommand& command,
                                     PluginRegistry& plugins) {
   std::vector<LoadedScene> scenes;
+  bool asked = false;
   for (const std::string& text : command.scenes) {
     const Side side = side_of(text);
+    asked = asked || sets_fusion(side);
     SceneOptions options = command.options;
     options.set.insert(options.set.end(), side.set.begin(), side.set.end());
     scenes.push_back(load(side.file, options, plugins));
@@ -162,6 +198,7 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
       scenes.back().scene.name += " + " + change;
     }
   }
+  if (!asked) evaluate_alike(scenes);
   const Metric& metric = scenes.front().metric;
   for (std::size_t i = 1; i < scenes.size(); ++i) {
     if (scenes[i].metric.name != metric.name || scenes[i].metric.unit != metric.unit) {
@@ -173,13 +210,14 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
   return scenes;
 }
 
-Row row_of(Field field, const LoadedScene& loaded, double limit,
-           const SceneOptions& options) {
-  Row row{std::move(field), {}, std::nullopt, std::nullopt};
+Row row_of(Field field, const LoadedScene& loaded, const std::optional<Spec>& better,
+           const CompareCommand& command, const Interrupt& interrupt) {
+  const SceneOptions& options = command.options;
+  Row row{std::move(field), {}, std::nullopt, {}, std::nullopt};
   row.statistics = summarize(row.field);
-  if (!std::isnan(limit)) {
-    row.better = part_better(row.field, limit, loaded.metric.larger_is_better);
-  }
+  if (better) row.better = share_meeting(row.field, *better).share;
+  row.specs =
+      met_specs(specs_of(command.specs, loaded), loaded, row.field, options, interrupt);
   const auto& devices = loaded.system.devices;
   if (std::any_of(devices.begin(), devices.end(),
                   [](const PlacedDevice& d) { return d.carried() != nullptr; })) {
@@ -194,7 +232,9 @@ int run(const CompareCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const std::vector<LoadedScene> scenes = load_sides(command, plugins);
   const Metric& metric = scenes.front().metric;
-  const double limit = limit_of(command, metric);
+  const std::optional<Spec> better = better_spec(command, metric);
+  const double limit = better ? better->limit : 0;
+  for (const LoadedScene& scene : scenes) (void)specs_of(command.specs, scene);
   Samples samples = planned_samples(scenes.front().scene);
   for (const auto& file : command.out) {
     if (const std::string problem = writable(samples, file); !problem.empty()) {
@@ -219,10 +259,9 @@ int run(const CompareCommand& command) {
           << "delos: stopped; a comparison needs every scene, nothing was written\n";
       return kCancelled;
     }
-    rows.push_back(row_of(std::move(field), scene, limit, command.options));
+    rows.push_back(row_of(std::move(field), scene, better, command, interrupt));
     if (rows.size() == 1) continue;
-    comparisons.push_back(
-        compare_fields(rows.front().field, rows.back().field, metric.larger_is_better));
+    comparisons.push_back(compare_fields(rows.front().field, rows.back().field));
   }
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     for (const auto& file : command.out) {
@@ -236,7 +275,14 @@ int run(const CompareCommand& command) {
     print(std::cout, rows, comparisons, limit);
     return kDone;
   }
+  const bool same = evaluated_alike(rows);
+  const Definition& definition = rows.front().field.definition;
   Json json;
+  json["fusion"] = same ? Json(to_string(definition.fusion)) : Json();
+  json["covariance"] = same ? Json(to_string(definition.covariance)) : Json();
+  if (!same)
+    std::cerr << "delos: warning: the scenes are evaluated differently; choose one for "
+                 "all with --fusion and --covariance\n";
   json["scenes"] = Json::array();
   for (const Row& row : rows) json["scenes"].push_back(to_json(row));
   json["difference"] = to_json(comparisons.front());
@@ -262,6 +308,7 @@ void add_compare_command(CLI::App& program, int& exit_code) {
   add_scene_options(*app, command->options);
   app->add_option("--better-than", command->better_than,
                   "Show which part of the samples is better than this value");
+  add_spec_option(*app, command->specs);
   app->add_option(
          "--out", command->out,
          "Write the difference, later minus first; of a third scene to NAME-3, …")

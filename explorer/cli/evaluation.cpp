@@ -39,9 +39,7 @@ Samples level_plane(const AdaptiveSampling& box, double z) {
 double slice_height(const Field& field, const AdaptiveSampling& box,
                     const PictureOptions& picture) {
   const FieldStatistics s = summarize(field);
-  const double z = picture.has_slice          ? picture.slice_z
-                   : picture.larger_is_better ? s.max.at.z()
-                                              : s.min.at.z();
+  const double z = picture.has_slice ? picture.slice_z : s.best().at.z();
   return std::clamp(z, box.min.z(), box.max.z());
 }
 

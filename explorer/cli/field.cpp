@@ -11,6 +11,7 @@
 #include "delos/text/units.h"
 #include "evaluation.h"
 #include "json.h"
+#include "specs.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -20,6 +21,7 @@ struct FieldCommand {
   SceneOptions options;
   std::filesystem::path scene;
   std::vector<std::filesystem::path> out;
+  std::vector<std::string> specs;
   bool log10 = false, verify = false;
   std::string slice;
 };
@@ -68,6 +70,7 @@ void print(std::ostream& out, const Verification& v, const std::string& unit) {
 int run(const FieldCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
+  const std::vector<Spec> specs = specs_of(command.specs, loaded);
   const Samples samples = planned_samples(loaded.scene);
   for (const auto& file : command.out) {
     const std::string problem = drawable(loaded.scene, samples, file);
@@ -103,14 +106,18 @@ int run(const FieldCommand& command) {
   }
   const Verification verification =
       command.verify ? verify(loaded, command.options, interrupt) : Verification{};
-  if (command.options.json && command.verify) {
+  const std::vector<MetSpec> met =
+      met_specs(specs, loaded, field, command.options, interrupt);
+  if (command.options.json && (command.verify || !met.empty())) {
     Json json = Json::parse(field_json(field));
-    json["verification"] = to_json(verification);
+    if (!met.empty()) json["specs"] = specs_json(met);
+    if (command.verify) json["verification"] = to_json(verification);
     print_document(json);
   } else if (command.options.json) {
     std::cout << field_json(field);
   } else {
     print_summary(std::cout, loaded, field);
+    print_specs(std::cout, met);
     if (evaluation.octree) print_octree(std::cout, evaluation.octree->report());
     if (command.verify) print(std::cout, verification, field.unit);
     for (const auto& file : command.out) std::cout << "wrote " << file.string() << "\n";
@@ -137,6 +144,7 @@ void add_field_command(CLI::App& program, int& exit_code) {
   app->add_option("--out", command->out,
                   "Write .vti, .vtu, .vtp, .csv, .json or .png; repeatable")
       ->allow_extra_args(false);
+  add_spec_option(*app, command->specs);
   app->add_option("--slice", command->slice,
                   "Height of the .png slice, for example 1.5 or '50 cm'");
   app->add_flag("--verify", command->verify,
@@ -147,6 +155,8 @@ void add_field_command(CLI::App& program, int& exit_code) {
       "  delos field scenes/01-acoustic.yaml --json\n"
       "  delos field scenes/05-optitrack-lab.yaml --out lab.vti --out lab.png --slice "
       "1.6\n"
+      "  delos field scenes/05-optitrack-lab.yaml --spec 'coverage >= 3' --spec "
+      "'eigmax <= 1 mm'\n"
       "  delos field scenes/01-acoustic.yaml --set devices.s1.at.z='90 cm' --metric "
       "sigma_z");
   app->callback([command, &exit_code] { exit_code = run(*command); });

@@ -1,6 +1,8 @@
 // delos point: everything about one point.
 #include "delos/field/point.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -8,8 +10,10 @@
 
 #include "command.h"
 #include "delos/observe/beacon_use.h"
+#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "json.h"
+#include "lost_directions.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -46,8 +50,8 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   json["fusion"] = to_string(loaded.system.fusion);
   json["solver"] = to_string(report.solver);
   json["covariance_of"] = to_string(state.of);
-  json["state"] = loaded.scene.motion.layout.names();
-  json["units"] = loaded.scene.motion.layout.units();
+  json["state"] = covariance_layout(loaded.scene).names();
+  json["units"] = covariance_layout(loaded.scene).units();
   json["inside"] = report.inside;
   json["observable"] = state.status == RiccatiStatus::converged;
   json["unobservable_directions"] = rows(state.unobservable.transpose());
@@ -56,7 +60,10 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
     json["metrics"][m.metric.name] = {{"value", number(m.value)},
                                       {"unit", m.metric.unit}};
   }
-  json["P_prior"] = covariance(state.prior);
+  // Before a single reading nothing is known.
+  json["P_prior"] = loaded.system.covariance == CovarianceKind::single
+                        ? Json()
+                        : covariance(state.prior);
   json["P_posterior"] = covariance(state.posterior);
   if (state.worst_prior.size() > 0) {
     json["P_worst_prior"] = covariance(state.worst_prior);
@@ -83,19 +90,6 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   return json;
 }
 
-/// "x 0.71, y −0.71": the states that take part in a lost direction.
-std::string direction(const StateLayout& layout, const StateVector& v) {
-  std::ostringstream text;
-  text << std::setprecision(2);
-  const std::vector<std::string> names = layout.names();
-  for (Eigen::Index i = 0; i < v.size(); ++i) {
-    if (std::abs(v(i)) < 1e-6) continue;
-    if (text.tellp() > 0) text << ", ";
-    text << names[static_cast<std::size_t>(i)] << " " << v(i);
-  }
-  return text.str();
-}
-
 /// What devices on the target see, a line for each view that sees anything.
 void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
   struct Line {
@@ -119,6 +113,30 @@ void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
   }
 }
 
+/// What each device is to the point.
+void print_shares(std::ostream& out, const PointReport& report,
+                  const std::string& metric) {
+  const bool defined =
+      std::none_of(report.devices.begin(), report.devices.end(),
+                   [](const DeviceShare& d) { return std::isnan(d.share); });
+  out << (defined ? "Without this device alone, " + metric + " rises by"
+                  : metric + " isn't observed, with any device or without it")
+      << "\n";
+  for (const DeviceShare& d : report.devices) {
+    out << "  " << cell(d.name, 18);
+    if (!d.visible) {
+      out << "(doesn't see the point)";
+    } else if (std::isnan(d.share)) {
+      out << "sees the point";
+    } else if (!std::isfinite(d.share)) {
+      out << "lost";
+    } else {
+      out << std::setprecision(3) << 100 * d.share << " %";
+    }
+    out << "\n";
+  }
+}
+
 void print(std::ostream& out, const PointReport& report, const LoadedScene& loaded) {
   const FusedState& state = report.state;
   out << loaded.scene.name << " at (" << report.pose.p.x() << ", " << report.pose.p.y()
@@ -129,13 +147,9 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
               : "the iteration did not settle")
       << "\n";
   if (report.inside) out << "  The point is inside a solid: fields leave it out.\n";
-  for (Eigen::Index i = 0; i < state.unobservable.cols(); ++i) {
-    out << "  lost: "
-        << direction(loaded.scene.motion.layout, state.unobservable.col(i)) << "\n";
-  }
-  out << to_string(loaded.system.fusion) << " fusion, "
-      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
-                                                            : "a-posteriori")
+  for (const std::string& line : lost_directions(loaded.system, report))
+    out << "  " << line << "\n";
+  out << to_string(Definition{loaded.system.fusion, loaded.system.covariance})
       << ", solver " << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";
@@ -145,18 +159,7 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
                                    : std::string("not observed"))
         << "\n";
   }
-  out << "Without this device alone, " << loaded.metric.name << " rises by\n";
-  for (const DeviceShare& d : report.devices) {
-    out << "  " << cell(d.name, 18);
-    if (!d.visible) {
-      out << "(doesn't see the point)";
-    } else if (!std::isfinite(d.share)) {
-      out << "lost";
-    } else {
-      out << std::setprecision(3) << 100 * d.share << " %";
-    }
-    out << "\n";
-  }
+  print_shares(out, report, loaded.metric.name);
   const std::vector<SeenBeacon> seen = seen_beacons(loaded.system, report.pose);
   if (!seen.empty()) out << "Beacons in view\n";
   print_sightings(out, seen);

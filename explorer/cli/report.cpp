@@ -11,6 +11,7 @@
 #include "consensus.h"
 #include "delos/field/blind.h"
 #include "delos/output/write.h"
+#include "delos/scene/definition.h"
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
@@ -41,7 +42,7 @@ bool is_study(const std::filesystem::path& file) {
 }
 
 LoadedScene loaded_from(Scene scene, PluginRegistry& plugins) {
-  const auto metric = parse_metric(scene.metric, scene.motion.layout);
+  const auto metric = parse_metric(scene.metric, covariance_layout(scene));
   System system = build_system(scene, plugins);
   return {std::move(scene), std::move(system), std::get<Metric>(metric)};
 }
@@ -105,17 +106,21 @@ std::vector<double> seen_parts(const LoadedScene& loaded, const Field& field) {
 /// What is lost where a device is taken away.
 void fail(report::DeviceRow& row, const Field& whole, const Field& without) {
   double before = 0, after = 0, weights = 0;
+  bool defined = false;
   for (std::size_t i = 0; i < whole.value.size(); ++i) {
     if (!whole.inside.empty() && whole.inside[i]) continue;
     row.lost += whole.observable[i] && !without.observable[i];
+    defined = defined || std::isfinite(whole.value[i]);
     if (!std::isfinite(whole.value[i]) || !std::isfinite(without.value[i])) continue;
     const double weight = whole.weight.empty() ? 1 : whole.weight[i];
     before += weight * whole.value[i];
     after += weight * without.value[i];
     weights += weight;
   }
-  row.mean_rise = weights > 0 && before != 0 ? (after - before) / std::abs(before)
-                                             : std::numeric_limits<double>::infinity();
+  row.mean_rise = !defined ? std::numeric_limits<double>::quiet_NaN()
+                  : weights > 0 && before != 0
+                      ? (after - before) / std::abs(before)
+                      : std::numeric_limits<double>::infinity();
 }
 
 std::vector<report::DeviceRow> device_rows(const LoadedScene& loaded,
@@ -256,6 +261,9 @@ std::string study_report(const ReportCommand& command, PluginRegistry& plugins,
   r.summary = study.summary();
   r.after = study.scene();
   r.before = judged_alike(study.scene(0), r.after);
+  const Scene* both[] = {&r.before, &r.after};
+  if (const auto fusion = common_fusion(both))
+    r.before.fusion = r.after.fusion = *fusion;
   r.objective = objective_text(r.after);
   r.objective_unit = objective_unit(r.after);
   r.maximize = objective_shown(r.after, 1) < 0;

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 
+#include "delos/scene/definition.h"
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "summary.h"
@@ -12,7 +13,7 @@
 namespace delos::cli {
 namespace {
 
-const char* word(Reduction reduction) {
+const char* word(Reduction reduction, bool larger_is_better) {
   switch (reduction) {
     case Reduction::mean:
       return "mean";
@@ -21,7 +22,7 @@ const char* word(Reduction reduction) {
     case Reduction::soft_max:
       return "soft maximum of";
     case Reduction::maximum:
-      return "greatest";
+      return larger_is_better ? "least" : "greatest";
     case Reduction::percentile:
       return "percentile of";
     case Reduction::cvar:
@@ -50,7 +51,8 @@ std::string constraint_unit(const ConstraintEntry& entry, const Scene& scene) {
   if (std::holds_alternative<KeepTilt>(entry.what)) return "rad";
   if (std::holds_alternative<KeepSum>(entry.what)) return "1";
   if (const auto* metric = std::get_if<KeepMetric>(&entry.what))
-    return std::get<Metric>(parse_metric(metric->metric, scene.motion.layout)).unit;
+    return std::get<Metric>(parse_metric(metric->metric, covariance_layout(scene)))
+        .unit;
   return "m";
 }
 
@@ -77,8 +79,10 @@ std::string objective_text(const Scene& scene) {
     return "weighted sum of " + std::to_string(terms.size()) + " terms" +
            robust_text(scene);
   const ObjectiveTerm term = terms.empty() ? ObjectiveTerm{} : terms.front();
-  return std::string(word(term.reduction)) + " " +
-         (term.metric.empty() ? scene.metric : term.metric) + robust_text(scene);
+  const auto metric = std::get<Metric>(parse_metric(
+      term.metric.empty() ? scene.metric : term.metric, covariance_layout(scene)));
+  return std::string(word(term.reduction, metric.larger_is_better)) + " " +
+         metric.name + robust_text(scene);
 }
 
 std::string objective_unit(const Scene& scene) {
@@ -90,7 +94,7 @@ std::string objective_unit(const Scene& scene) {
   const std::string name = terms.empty() || terms.front().metric.empty()
                                ? scene.metric
                                : terms.front().metric;
-  return std::get<Metric>(parse_metric(name, scene.motion.layout)).unit;
+  return std::get<Metric>(parse_metric(name, covariance_layout(scene))).unit;
 }
 
 Json search_json(const OptimizeResult& result, PluginRegistry& plugins) {
@@ -105,6 +109,8 @@ Json search_json(const OptimizeResult& result, PluginRegistry& plugins) {
   return {
       {"scene", scene.name},
       {"objective", {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}},
+      {"fusion", to_string(definition_of(scene).fusion)},
+      {"covariance", to_string(scene.covariance)},
       {"initial", number(objective_shown(scene, result.initial.objective))},
       {"best", number(objective_shown(scene, result.best.objective))},
       {"plain_initial", number(objective_shown(scene, result.plain_initial))},
@@ -133,7 +139,7 @@ void print_search(std::ostream& out, const OptimizeResult& result,
   if (from != 0)
     out << " (" << std::showpos << std::setprecision(3) << 100 * (to / from - 1)
         << std::noshowpos << " %)";
-  out << "\n";
+  out << "\nof the " << to_string(definition_of(before)) << "\n";
   if (before.objective.robust != Robustness{}) {
     const auto plain = [&](double objective) {
       return format_quantity(objective_shown(before, objective), unit);

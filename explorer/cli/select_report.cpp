@@ -5,6 +5,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/words.h"
 #include "summary.h"
@@ -51,6 +52,11 @@ void print_names(std::ostream& out, const char* label,
   out << "\n";
 }
 
+void add_definition(Json& json, const CandidateScene& all) {
+  json["fusion"] = to_string(definition_of(all.scene).fusion);
+  json["covariance"] = to_string(all.scene.covariance);
+}
+
 }  // namespace
 
 Json select_json(const SelectResult& result) {
@@ -58,22 +64,24 @@ Json select_json(const SelectResult& result) {
   for (std::size_t i = 0; i < result.fractions.size(); ++i)
     if (result.fractions[i] > 1e-6)
       fractions[result.all.candidates[i].name] = number(result.fractions[i]);
-  return {{"chosen", chosen_names(result.all, result.chosen)},
-          {"value", number(result.value)},
-          {"lower_bound", number(result.lower_bound)},
-          {"gap", number(result.gap)},
-          {"variance_gap", number(result.variance_gap)},
-          {"certified", result.quantity},
-          {"unit", result.unit},
-          {"samples", result.samples},
-          {"guess", number(result.guess)},
-          {"candidates", result.all.candidates.size()},
-          {"in_every", names_of(result, result.in_every)},
-          {"in_none", names_of(result, result.in_none)},
-          {"fractions", fractions},
-          {"nodes", result.nodes},
-          {"stop", to_string(result.stop)},
-          {"seconds", number(result.seconds)}};
+  Json json{{"chosen", chosen_names(result.all, result.chosen)},
+            {"value", number(result.value)},
+            {"lower_bound", number(result.lower_bound)},
+            {"gap", number(result.gap)},
+            {"variance_gap", number(result.variance_gap)},
+            {"certified", result.quantity},
+            {"unit", result.unit},
+            {"samples", result.samples},
+            {"guess", number(result.guess)},
+            {"candidates", result.all.candidates.size()},
+            {"in_every", names_of(result, result.in_every)},
+            {"in_none", names_of(result, result.in_none)},
+            {"fractions", fractions},
+            {"nodes", result.nodes},
+            {"stop", to_string(result.stop)},
+            {"seconds", number(result.seconds)}};
+  add_definition(json, result.all);
+  return json;
 }
 
 void print_selection(std::ostream& out, const SelectResult& r) {
@@ -83,6 +91,7 @@ void print_selection(std::ostream& out, const SelectResult& r) {
   out << r.all.scene.name << ": " << r.chosen.size() << " of "
       << counted(r.all.candidates.size(), "candidate") << "\n";
   line("value") << format_quantity(r.value, r.unit, 4) << ", " << r.quantity << "\n";
+  line("of the") << to_string(definition_of(r.all.scene)) << "\n";
   line("lower bound") << format_quantity(r.lower_bound, r.unit, 4)
                       << ": no choice that the scene allows has less\n";
   line("gap") << std::setprecision(3) << 100 * r.gap << " %"
@@ -134,11 +143,14 @@ Json curve_json(const CountCurve& curve) {
                       {"lower_bound", number(p.lower_bound)},
                       {"gap", number(gap_of(p.value, p.lower_bound))},
                       {"chosen", chosen_names(curve.all, p.chosen)}});
-  return {{"certified", curve.quantity}, {"unit", curve.unit}, {"curve", points}};
+  Json json{{"certified", curve.quantity}, {"unit", curve.unit}, {"curve", points}};
+  add_definition(json, curve.all);
+  return json;
 }
 
 void print_curve(std::ostream& out, const CountCurve& curve) {
   out << curve.all.scene.name << ": " << curve.quantity << "\n"
+      << "  of the " << to_string(definition_of(curve.all.scene)) << "\n"
       << "  count  found         at best       gap\n";
   for (const CountPoint& p : curve.points)
     out << "  " << cell(std::to_string(p.count), 7)
@@ -154,14 +166,17 @@ Json removal_json(const RemovalOrder& order) {
                         {"left", r.left},
                         {"value", number(r.value)},
                         {"lower_bound", number(r.lower_bound)}});
-  return {{"certified", order.quantity},
-          {"unit", order.unit},
-          {"all_chosen", number(order.all_chosen)},
-          {"removals", removals}};
+  Json json{{"certified", order.quantity},
+            {"unit", order.unit},
+            {"all_chosen", number(order.all_chosen)},
+            {"removals", removals}};
+  add_definition(json, order.all);
+  return json;
 }
 
 void print_removals(std::ostream& out, const RemovalOrder& order) {
-  out << order.all.scene.name << ": " << order.quantity << "\n  with all "
+  out << order.all.scene.name << ": " << order.quantity << "\n  of the "
+      << to_string(definition_of(order.all.scene)) << "\n  with all "
       << order.all.candidates.size() << "  "
       << format_quantity(order.all_chosen, order.unit, 4) << "\n"
       << "  left   value         at best       by removing\n";

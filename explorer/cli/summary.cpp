@@ -32,10 +32,7 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   const FieldStatistics s = summarize(field);
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
   out << loaded.scene.name << "\n"
-      << field.metric << " of the "
-      << (loaded.system.covariance == CovarianceKind::prior ? "a-priori"
-                                                            : "a-posteriori")
-      << " covariance, " << to_string(loaded.system.fusion) << " fusion, "
+      << field.metric << " of the " << to_string(field.definition) << ", "
       << counted(loaded.system.devices.size(), "device") << "\n"
       << counted(s.samples, "sample") << ", " << s.observable << " observable";
   if (s.one_short > 0) out << ", " << s.one_short << " one direction short of it";
@@ -47,9 +44,7 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
     for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";
     return;
   }
-  const bool up = loaded.metric.larger_is_better;
-  const Extreme& best = up ? s.max : s.min;
-  const Extreme& worst = up ? s.min : s.max;
+  const Extreme &best = s.best(), &worst = s.worst();
   out << "  best    " << value(best.value) << "  at " << coordinates(best.at) << " m\n"
       << "  mean    " << value(s.mean) << "\n"
       << "  median  " << value(s.median) << "\n"

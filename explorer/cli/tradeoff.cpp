@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "command.h"
+#include "delos/scene/definition.h"
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
@@ -48,10 +49,13 @@ Json variables(Scene scene, PluginRegistry& plugins) {
   return all;
 }
 
-Json header(const Scene& scene) {
-  return {{"scene", scene.name},
-          {"objective",
-           {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}}};
+/// @param found a scene of the points; all have one definition
+Json header(const Scene& scene, const Scene& found) {
+  return {
+      {"scene", scene.name},
+      {"objective", {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}},
+      {"fusion", to_string(definition_of(found).fusion)},
+      {"covariance", to_string(found.covariance)}};
 }
 
 void save(const TradeoffCommand& command, const Scene& scene, const std::string& name) {
@@ -87,12 +91,13 @@ Json front(const TradeoffCommand& command, Scene& scene, PluginRegistry& plugins
                          ? first
                          : std::lerp(first, last, i / (command.levels - 1.0)));
 
-  Json json = header(scene);
+  const std::vector<FrontPoint> points =
+      search_front(scene, plugins, name, levels, command.search, told(scene.name));
+  Json json = header(scene, points.front().scene);
   json["limit"] = {{"constraint", name}, {"unit", unit}};
   json["points"] = Json::array();
   int k = 0;
-  for (const FrontPoint& point :
-       search_front(scene, plugins, name, levels, command.search, told(scene.name))) {
+  for (const FrontPoint& point : points) {
     save(command, point.scene, name + "-" + std::to_string(++k));
     json["points"].push_back(
         {{"limit", number(point.limit)},
@@ -150,7 +155,10 @@ Json counts(const TradeoffCommand& command, const Scene& scene,
   const auto points = search_counts(
       scene, plugins, static_cast<std::size_t>(first), static_cast<std::size_t>(last),
       prices_of(command, scene), command.search, told(scene.name));
-  Json json = header(scene);
+  const auto reached = std::find_if(
+      points.begin(), points.end(),
+      [](const DeviceCountPoint& point) { return !point.scene.devices.empty(); });
+  Json json = header(scene, reached == points.end() ? scene : reached->scene);
   json["points"] = Json::array();
   for (const DeviceCountPoint& point : points) {
     save(command, point.scene, "devices-" + std::to_string(point.devices));
@@ -173,6 +181,8 @@ void print(std::ostream& out, const Json& json) {
   };
   const bool of_limit = json.contains("limit");
   out << json["scene"].get<std::string>() << "\n"
+      << json["covariance"].get<std::string>() << " covariance, "
+      << json["fusion"].get<std::string>() << " fusion\n"
       << cell(of_limit ? "limit" : "devices", 14)
       << cell(of_limit ? "used" : "price", 14)
       << json["objective"]["name"].get<std::string>() << "\n";

@@ -107,7 +107,7 @@ ColourRange common_range(const std::vector<const Field*>& fields,
 
 Change change_between(const Field& before, const Field& after, bool larger_is_better) {
   Change change;
-  change.field = compare_fields(before, after, larger_is_better).difference;
+  change.field = compare_fields(before, after).difference;
   const double end = quantile(change.field, 0.98);
   change.colours = {-end, end, false, larger_is_better, true};
   for (std::size_t i = 0; i < before.value.size(); ++i) {
@@ -150,7 +150,8 @@ Html key_figures(const std::vector<const Field*>& fields,
   add("least", [](const FieldStatistics& s) { return s.min.value; });
   add("median", [](const FieldStatistics& s) { return s.median; });
   add("mean", [](const FieldStatistics& s) { return s.mean; });
-  add("95 % below", [](const FieldStatistics& s) { return s.p95; });
+  add(larger_is_better ? "95 % at least" : "95 % at most",
+      [](const FieldStatistics& s) { return s.p95; });
   add("greatest", [](const FieldStatistics& s) { return s.max.value; });
   const auto count = [&](const char* name, auto value) {
     std::vector<Html> row = {name};

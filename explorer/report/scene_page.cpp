@@ -34,7 +34,8 @@ Html devices(const SceneReport& r) {
     rows.push_back({d.name, d.type,
                     (d.on_target ? "on the target, " : "") + coordinates(d.at, 3) + " m",
                     percent(d.seen), std::to_string(d.lost),
-                    std::isfinite(d.mean_rise)
+                    std::isnan(d.mean_rise) ? std::string("undefined")
+                    : std::isfinite(d.mean_rise)
                         ? (d.mean_rise < 0 ? "−" : "+") + percent(std::abs(d.mean_rise))
                         : std::string("all is lost")});
   return table(

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "delos/model/metric.h"
+#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/words.h"
 
@@ -47,7 +48,8 @@ struct Words {
     return text + " is at most " + format_quantity(k.limit, "1");
   }
   std::string operator()(const KeepMetric& k) const {
-    const auto metric = std::get<Metric>(parse_metric(k.metric, scene.motion.layout));
+    const auto metric =
+        std::get<Metric>(parse_metric(k.metric, covariance_layout(scene)));
     return metric.name + " is at " + (metric.larger_is_better ? "least " : "most ") +
            format_quantity(k.limit, metric.unit) + " at every sample" +
            (k.in.empty() ? "" : " of " + k.in);

@@ -7,6 +7,7 @@
 #include "delos/device/faults.h"
 #include "delos/field/adaptive.h"
 #include "delos/model/infinity.h"
+#include "delos/scene/definition.h"
 #include "problem/guess.h"
 #include "problem/problem_state.h"
 #include "problem/reduce.h"
@@ -14,8 +15,19 @@
 namespace delos {
 namespace {
 
+/// What is left of a rig where nobody looks.
+class SeesNothing final : public Device {
+ public:
+  bool observe(const Target&, Observation&) const override { return false; }
+};
+
 /// What a sample costs, in units of the guess, where no guess can help.
 constexpr double kBlindCost = 1e3;
+
+/// What a limit is where edges are soft: of a count, half a device short of it.
+double soft_limit(const Metric& metric, double limit) {
+  return metric.kind == MetricKind::coverage ? std::ceil(limit) - 0.5 : limit;
+}
 
 }  // namespace
 
@@ -24,12 +36,12 @@ bool Score::feasible() const {
          std::all_of(slacks.begin(), slacks.end(), [](double s) { return s >= 0; });
 }
 
-std::size_t Problem::State::metric_index(const std::string& name) {
+std::size_t Problem::State::metric_index(const std::string& name, bool plain) {
   const auto metric = std::get<Metric>(
-      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+      parse_metric(name.empty() ? scene().metric : name, covariance_layout(scene())));
   for (std::size_t m = 0; m < metrics.size(); ++m)
-    if (metrics[m].name == metric.name) return m;
-  metrics.push_back(metric);
+    if (metrics[m].metric.name == metric.name && metrics[m].plain == plain) return m;
+  metrics.push_back({metric, plain});
   return metrics.size() - 1;
 }
 
@@ -38,25 +50,33 @@ void Problem::State::read_objective() {
   if (all.empty()) {
     all.emplace_back();
     const std::size_t own = metric_index("");
-    all.front().maximize = metrics[own].larger_is_better;
+    all.front().maximize = metrics[own].metric.larger_is_better;
   }
   // Where solids are is asked once: searches seldom move them.
   std::vector<unsigned char> inside;
   if (nominal.system.in_world.triangles() > 0) {
     const auto coverage =
-        std::get<Metric>(parse_metric("coverage", scene().motion.layout));
+        std::get<Metric>(parse_metric("coverage", covariance_layout(scene())));
     inside = evaluate_field(nominal.system, samples.samples, scene().orientations,
                             coverage, {.threads = options.threads})
                  .inside;
   }
-  for (const ObjectiveTerm& term : all)
-    terms.push_back({term, metric_index(term.metric),
+  for (const ObjectiveTerm& term : all) {
+    const std::size_t m =
+        metric_index(term.metric, term.reduction == Reduction::fraction);
+    const Metric& metric = metrics[m].metric;
+    const double sign = metric.larger_is_better ? -1 : 1;
+    terms.push_back({term, sign * soft_limit(metric, term.limit), m, sign,
                      term_weights(term, scene(), samples, inside)});
+    terms.back().term.limit = sign * term.limit;
+  }
   for (std::size_t c = 0; c < scene().constraints.size(); ++c) {
     const auto* keep = std::get_if<KeepMetric>(&scene().constraints[c].what);
     if (!keep) continue;
-    MetricLimit limit{c, metric_index(keep->metric), keep->limit, 1, {}};
-    if (metrics[limit.metric].larger_is_better) limit.sign = -1;
+    MetricLimit limit{c, metric_index(keep->metric), keep->limit, keep->limit, 1, {}};
+    const Metric& metric = metrics[limit.metric].metric;
+    limit.soft_limit = soft_limit(metric, keep->limit);
+    if (metric.larger_is_better) limit.sign = -1;
     for (std::size_t i = 0; i < samples.set.size(); ++i) {
       const bool in =
           keep->in.empty() || scene().samples[samples.set[i]].name == keep->in;
@@ -89,7 +109,7 @@ Field Problem::State::octree(AdaptiveSampling box) {
   const auto& terms = scene().objective.terms;
   const std::string name = terms.empty() ? "" : terms.front().metric;
   const auto metric = std::get<Metric>(
-      parse_metric(name.empty() ? scene().metric : name, scene().motion.layout));
+      parse_metric(name.empty() ? scene().metric : name, covariance_layout(scene())));
   if (options.samples > 0) {
     const auto most =
         static_cast<std::int64_t>(options.samples * scene().orientations.rpy.size());
@@ -134,20 +154,53 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
   double sum = 0;
   std::vector<double> costs, of_term;
   for (const Term& t : terms) {
-    const double sign = t.term.maximize ? -1 : 1;
-    const bool larger = metrics[t.metric].larger_is_better;
-    const double blind = larger ? 0 : kBlindCost * guess;
+    const bool fraction = t.term.reduction == Reduction::fraction;
+    const double blind = fraction ? kInfinity : t.sign < 0 ? 0 : kBlindCost * guess;
     costs = values[t.metric];
-    for (double& c : costs) c = sign * (std::isfinite(c) ? c : blind);
+    for (double& c : costs) c = std::isfinite(c) ? t.sign * c : blind;
     of_term.resize(slopes ? costs.size() : 0);
-    sum += t.term.weight *
-           reduce(t.term, costs, t.weights, blur, slopes ? of_term.data() : nullptr);
+    ObjectiveTerm term = t.term;
+    if (width) term.limit = t.soft_limit;
+    sum += term.weight *
+           reduce(term, costs, t.weights, blur, slopes ? of_term.data() : nullptr);
     for (std::size_t i = 0; i < of_term.size(); ++i) {
       if (std::isfinite(values[t.metric][i]))
-        (*slopes)[t.metric][i] += t.term.weight * sign * of_term[i];
+        (*slopes)[t.metric][i] += term.weight * t.sign * of_term[i];
     }
   }
   return sum;
+}
+
+/// What a metric costs where nothing but the guess is known.
+double Problem::State::cost_of_guess(std::size_t m) const {
+  System blind = nominal.system;
+  blind.prior = guess_information(blind, guess);
+  blind.devices.resize(1);
+  blind.devices.front().device = std::make_shared<const SeesNothing>();
+  blind.devices.front().mount = WorldMount{};
+  Samples one;
+  one.points = {samples.samples.points.front()};
+  one.parts = {{"", 0, 1, ScatteredShape{}}};
+  const Metric& metric = metrics[m].metric;
+  const double value =
+      evaluate_field(blind, one, scene().orientations, metric, field_options())
+          .value.front();
+  return metric.larger_is_better ? -value : value;
+}
+
+/// Where a limit is what counts, the guess alone misses it by far: a search must not
+/// take what it doesn't see for kept.
+void Problem::State::weaken_guess() {
+  constexpr double kFar = 4;
+  if (guess_information(nominal.system, guess) == 0) return;
+  for (const Term& t : terms) {
+    if (t.term.reduction != Reduction::fraction ||
+        metrics[t.metric].metric.kind == MetricKind::coverage)
+      continue;
+    const double far = t.sign > 0 ? kFar * t.term.limit : t.term.limit / kFar;
+    constexpr int kDoublings = 60;
+    for (int i = 0; i < kDoublings && cost_of_guess(t.metric) < far; ++i) guess *= 2;
+  }
 }
 
 void Problem::State::metric_slacks(const FieldValues& values, double* out) const {
@@ -176,11 +229,11 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
         return s.octree(box);
       });
   s.build(s.design.start());
-  if (s.guess == 0) {
+  if (s.guess == 0)
     s.guess = typical_guess(s.nominal.system, s.samples.samples, scene.orientations);
-    s.nominal.system.prior = guess_information(s.nominal.system, s.guess);
-  }
   s.read_objective();
+  if (scene.objective.guess == 0) s.weaken_guess();
+  s.nominal.system.prior = guess_information(s.nominal.system, s.guess);
   s.read_limits();
   s.read_robust();
   s.find_touched();
@@ -190,14 +243,20 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
       if (s.nominal.system.devices[i].carried())
         s.slope_problem = "what " + s.nominal.system.devices[i].name +
                           " sees of beacons has no derivative here";
-  for (const Metric& metric : s.metrics) {
+  std::vector<Metric> metrics;
+  for (const AskedMetric& asked : s.metrics) {
+    const Metric& metric = metrics.emplace_back(asked.metric);
     if (const std::string problem = metric_problem(s.nominal.system, metric);
         !problem.empty())
       throw std::invalid_argument(problem);
+    if (metric.kind == MetricKind::coverage &&
+        scene.orientations.combine == OrientationRule::information)
+      s.slope_problem =
+          "coverage in any of several orientations has no derivative here";
     if (s.slope_problem.empty())
       s.slope_problem = delos::slope_problem(s.nominal.system, metric);
   }
-  s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, s.metrics,
+  s.soft = std::make_unique<SoftField>(s.samples.samples, scene.orientations, metrics,
                                        options.threads);
 }
 
@@ -254,7 +313,7 @@ Field Problem::field(std::span<const double> x) {
   State& s = *state_;
   s.build(x);
   const auto metric =
-      std::get<Metric>(parse_metric(s.scene().metric, s.scene().motion.layout));
+      std::get<Metric>(parse_metric(s.scene().metric, covariance_layout(s.scene())));
   System system = s.nominal.system;
   system.prior = 0;
   Field field = evaluate_field(system, all_samples(s.scene()), s.scene().orientations,

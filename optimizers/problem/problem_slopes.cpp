@@ -33,8 +33,9 @@ Eigen::Vector3d turn_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d&
 double soft_miss(const MetricLimit& limit, const std::vector<double>& values,
                  double width, double* slopes) {
   const double s = width > 0 ? std::min(1 / width, kSharpest) : kSharpest;
+  const double most = width > 0 ? limit.soft_limit : limit.limit;
   const auto miss = [&](std::size_t i) {
-    return limit.sign * (values[i] - limit.limit) / limit.unit();
+    return limit.sign * (values[i] - most) / limit.unit();
   };
   const auto compressed = [](double m) { return m > 0 ? std::log1p(m) : m; };
   double worst = -kInfinity;

@@ -17,11 +17,20 @@
 
 namespace delos {
 
-/// A term of the objective, ready to be reduced.
+/// A term of the objective, ready to be reduced: in costs, of which less is better.
 struct Term {
-  ObjectiveTerm term;
+  ObjectiveTerm term;  // its limit is one of costs
+  double soft_limit;   // the same where edges are soft
   std::size_t metric;
+  double sign;  // cost = sign · value
   std::vector<double> weights;
+};
+
+/// A metric that is asked for.
+struct AskedMetric {
+  Metric metric;
+  /// Judged without the guess, as limits are: what no device sees meets none.
+  bool plain = false;
 };
 
 /// A limit on a metric.
@@ -29,7 +38,8 @@ struct MetricLimit {
   std::size_t constraint;
   std::size_t metric;
   double limit;
-  double sign;  ///< 1: at most, −1: at least
+  double soft_limit;  ///< the same where edges are soft
+  double sign;        ///< 1: at most, −1: at least
   std::vector<std::size_t> samples;
 
   [[nodiscard]] double unit() const { return std::max(std::abs(limit), 1e-12); }
@@ -64,7 +74,7 @@ struct Problem::State {
   Design design;
   GeometryLimits geometry;
   SearchSamples samples;
-  std::vector<Metric> metrics;
+  std::vector<AskedMetric> metrics;
   std::vector<Term> terms;
   std::vector<MetricLimit> metric_limits;
   std::vector<Limit> limits;
@@ -79,8 +89,10 @@ struct Problem::State {
 
   [[nodiscard]] const Scene& scene() const { return design.scene(); }
 
-  std::size_t metric_index(const std::string& name);
+  std::size_t metric_index(const std::string& name, bool plain = false);
   void read_objective();
+  double cost_of_guess(std::size_t metric) const;
+  void weaken_guess();
   void read_limits();
   void read_robust();
   Field octree(AdaptiveSampling box);

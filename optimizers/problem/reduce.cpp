@@ -153,9 +153,8 @@ double reduce(const ObjectiveTerm& term, Numbers c, Numbers w,
     case Reduction::cvar:
       return cvar(std::min(term.level, 1 - b), c, w, slopes);
     case Reduction::fraction: {
-      const double limit = term.maximize ? -term.limit : term.limit;
-      const double size = limit == 0 ? 1 : std::abs(limit);
-      return fraction(limit, blur ? size * std::max(0.05, b) : 0, c, w, slopes);
+      const double size = term.limit == 0 ? 1 : std::abs(term.limit);
+      return fraction(term.limit, blur ? size * std::max(0.05, b) : 0, c, w, slopes);
     }
   }
   return 0;

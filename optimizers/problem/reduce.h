@@ -8,7 +8,8 @@
 
 namespace delos {
 
-/// Reduce costs c with weights w ≥ 0 that sum to 1.
+/// Reduce costs c, of which less is better, with weights w ≥ 0 that sum to 1. The
+/// term's limit is one of costs too, and +∞ misses it.
 ///
 ///   mean        Σ w c
 ///   p_norm      (Σ w c^p)^(1/p)

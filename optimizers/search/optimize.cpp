@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "delos/model/infinity.h"
+#include "delos/scene/definition.h"
 #include "delos/text/words.h"
 #include "nlopt/solver.h"
 #include "search/feasible.h"
@@ -199,7 +200,7 @@ std::vector<ConstraintReport> constraint_reports(Problem& problem, const Score& 
 Scene with_guess(Scene scene, PluginRegistry& plugins) {
   if (scene.objective.guess == 0)
     scene.objective.guess = Problem(scene, plugins, {0, 0}).guess();
-  return scene;
+  return with_definition(std::move(scene));
 }
 
 OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,

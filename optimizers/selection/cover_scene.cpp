@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "delos/layers/candidate_information.h"
+#include "delos/scene/definition.h"
 #include "delos/text/words.h"
 #include "selection/question.h"
 
@@ -67,7 +68,7 @@ SceneCover cover_scene(const Scene& scene, PluginRegistry& plugins,
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   if (!scene.selection.cover) throw std::invalid_argument("the selection has no cover");
-  auto written = write_out_candidates(scene);
+  auto written = write_out_candidates(with_definition(scene));
   if (const auto* problem = std::get_if<std::string>(&written))
     throw std::invalid_argument(*problem);
   SceneCover cover;

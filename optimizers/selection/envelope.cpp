@@ -31,6 +31,8 @@ Field selection_envelope(const Scene& scene, PluginRegistry& plugins,
   field.scene = scene.name;
   field.metric = q.terms.front().metric.name;
   field.unit = q.terms.front().metric.unit;
+  field.larger_is_better = q.terms.front().metric.larger_is_better;
+  field.definition = {q.system.fusion, q.system.covariance};
   field.samples = make_samples(scene.samples);
   const std::size_t count = field.samples.points.size();
   field.value.assign(count, std::numeric_limits<double>::infinity());

@@ -6,6 +6,7 @@
 
 #include "delos/field/evaluate.h"
 #include "delos/model/metric_table.h"
+#include "delos/scene/definition.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
 #include "problem/guess.h"
@@ -26,7 +27,7 @@ std::vector<VarianceTerm> variance_terms(const Scene& scene, const System& syste
   std::vector<VarianceTerm> terms;
   for (const ObjectiveTerm& term : written) {
     const auto metric = std::get<Metric>(parse_metric(
-        term.metric.empty() ? scene.metric : term.metric, scene.motion.layout));
+        term.metric.empty() ? scene.metric : term.metric, covariance_layout(scene)));
     const std::string problem = variance_problem(metric);
     if (!problem.empty()) throw std::invalid_argument(problem);
     if (term.maximize ||
@@ -83,7 +84,7 @@ Question question_of(const Scene& scene, PluginRegistry& plugins,
   if (!scene.selection.count && !scene.selection.budget)
     throw std::invalid_argument("the selection has neither count nor budget");
   Question q;
-  auto all = write_out_candidates(scene);
+  auto all = write_out_candidates(with_definition(scene));
   if (const auto* problem = std::get_if<std::string>(&all))
     throw std::invalid_argument(*problem);
   q.all = std::get<0>(std::move(all));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "delos/optimize/tradeoff.h"
+#include "delos/scene/definition.h"
 #include "search/random_point.h"
 #include "search/start.h"
 #include "tradeoff/device_count.h"
@@ -14,6 +15,18 @@ namespace {
 
 /// Random values that a new device's variables are tried with, all templates together.
 constexpr int kTries = 96;
+
+/// The scene with one definition for all numbers of devices: copies have rates of their
+/// own where the rate of the device varies.
+Scene with_one_definition(Scene scene, std::size_t most) {
+  if (!varies_rates(scene) || most < 2) return scene;
+  if (scene.fusion == Fusion::stacked)
+    throw std::invalid_argument(
+        "stacked fusion needs one rate, but each copy of a device would have its own; "
+        "use continuous");
+  if (!scene.fusion) scene.fusion = Fusion::continuous;
+  return scene;
+}
 
 class CountSearch {
  public:
@@ -121,11 +134,11 @@ std::vector<DeviceCountPoint> search_counts(const Scene& given, PluginRegistry& 
   };
   const auto stopped = [&] { return options.cancel && options.cancel->load(); };
 
-  // One guess for all, so that objectives can be compared.
+  // One guess and one definition for all, so that objectives can be compared.
   std::vector<DeviceCountPoint> points(high - low + 1);
   const auto at = [&](std::size_t n) -> DeviceCountPoint& { return points[n - low]; };
   tell();
-  at(own) = searches.search(with_guess(given, plugins));
+  at(own) = searches.search(with_guess(with_one_definition(given, high), plugins));
   for (std::size_t n = own; n-- > low && !stopped();) {
     tell();
     at(n) = searches.search(searches.fewer(at(n + 1).scene));

@@ -7,7 +7,8 @@ namespace delos::test {
 namespace {
 
 /// Allen and Welch (2005), Fig. 6; Allen (2007), Table 6.2: 0.0817 m at 50 Hz. The
-/// digits beyond, and where: tests/shipped_scenes/oracle.csv, at (0, 0, 0) and (0.2, 0.2, 0.8).
+/// digits beyond, and where: tests/shipped_scenes/oracle.csv, at (0, 0, 0) and (0.2,
+/// 0.2, 0.8).
 TEST(FieldCommand, GivesTheContractsMembers) {
   const Finished done =
       run({"field", scene("01-acoustic"), "--json", "--threads", "2"});
@@ -32,6 +33,104 @@ TEST(FieldCommand, GivesTheContractsMembers) {
     EXPECT_LT(json[name], json["max"]["value"]) << name;
   }
   EXPECT_LT(json["median"], json["p95"]);
+}
+
+/// Four cameras with 10 mm lenses: of 147 samples, counted one by one from the written
+/// coverage, 71 are seen by three or more, and 119 are observable.
+const std::string kRoom = R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+metric: coverage
+sample: {volume: {min: [1, 1, 0.5], max: [4, 4, 1.5], step: 0.5}}
+devices:
+  - {name: a, type: pinhole_camera, rate: 100 Hz, at: [0, 0, 2.5], aim: [2.5, 2.5, 1], params: &c {focal: 10 mm, pitch: 5 um, resolution: [1280, 1024]}}
+  - {name: b, type: pinhole_camera, rate: 100 Hz, at: [5, 0, 2.5], aim: [2.5, 2.5, 1], params: *c}
+  - {name: c, type: pinhole_camera, rate: 100 Hz, at: [5, 5, 2.5], aim: [2.5, 2.5, 1], params: *c}
+  - {name: d, type: pinhole_camera, rate: 100 Hz, at: [0, 5, 2.5], aim: [2.5, 2.5, 1], params: *c}
+)";
+
+TEST(FieldCommand, TellsWhichPartMeetsSpecifications) {
+  const Folder folder;
+  folder.write("room.yaml", kRoom);
+  const Finished done = run({"field", "room.yaml", "--spec", "coverage >= 3", "--spec",
+                             "eigmax<=1 m", "--out", "room.json", "--json"},
+                            folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  int three = 0;
+  const Json written = Json::parse(read_file(folder.path() / "room.json"));
+  for (const Json& row : written["values"]) three += row[3] >= 3;
+  EXPECT_EQ(three, 71);
+  ASSERT_EQ(json["specs"].size(), 2u);
+  EXPECT_EQ(json["specs"][0]["spec"], "coverage >= 3");
+  EXPECT_EQ(json["specs"][0]["met"], 71);
+  EXPECT_EQ(json["specs"][0]["samples"], 147);
+  EXPECT_DOUBLE_EQ(json["specs"][0]["share"].get<double>(), 71.0 / 147);
+  // Blind samples meet nothing.
+  EXPECT_EQ(json["specs"][1]["met"], json["observable"]);
+  const std::string text =
+      run({"field", "room.yaml", "--spec", "coverage >= 3"}, folder.path()).out;
+  EXPECT_NE(text.find("coverage >= 3: 48.3 % of the samples, 71 of 147\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST(FieldCommand, WeighsSpecificationsByVolume) {
+  const Folder folder;
+  std::string room = kRoom;
+  room.replace(room.find("step: 0.5}"), 10, "adaptive: {depth: 3}}");
+  folder.write("room.yaml", room);
+  const Finished done =
+      run({"field", "room.yaml", "--spec", "coverage >= 3", "--json"}, folder.path());
+  const Json spec = done.json()["specs"][0];
+  EXPECT_NE(spec["share"].get<double>(),
+            spec["met"].get<double>() / spec["samples"].get<double>());
+  EXPECT_NE(run({"field", "room.yaml", "--spec", "coverage >= 3"}, folder.path())
+                .out.find("% of the volume"),
+            std::string::npos);
+}
+
+TEST(FieldCommand, RefusesSpecificationsThatAreNone) {
+  for (const char* spec : {"coverage = 3", "covrage >= 3", "eigmax <= 1 s", ""}) {
+    const Finished done =
+        run({"field", scene("01-acoustic"), "--spec", spec, "--json"});
+    EXPECT_EQ(done.code, 2) << spec;
+    EXPECT_EQ(done.out, "") << spec;
+    EXPECT_NE(done.err.find("--spec"), std::string::npos) << done.err;
+  }
+}
+
+/// Of the coverage above, 1 is what 95 % of the samples reach: best 4, worst 1.
+TEST(FieldCommand, KnowsThatMoreCoverageIsBetter) {
+  const Folder folder;
+  folder.write("room.yaml", kRoom);
+  EXPECT_EQ(run({"field", "room.yaml", "--json"}, folder.path()).json()["p95"], 1);
+  const std::string text = run({"field", "room.yaml"}, folder.path()).out;
+  for (const char* line : {"best    4 ", "median  2\n", "95 %    1\n", "worst   1 "})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
+/// Of a metre, steps of 30 cm leave 1 − 0.9³ = 27 %; steps of 3 m leave one corner.
+TEST(FieldCommand, WarnsWhereStepsDontReachTheEnd) {
+  const Folder folder;
+  const auto err = [&](const char* max, const char* step) {
+    std::string room = kRoom;
+    const std::string box = "min: [1, 1, 0.5], max: [4, 4, 1.5], step: 0.5";
+    room.replace(room.find(box), box.size(),
+                 std::string("min: [0, 0, 0], max: ") + max + ", step: " + step);
+    folder.write("room.yaml", room);
+    return run({"field", "room.yaml", "--json"}, folder.path()).err;
+  };
+  EXPECT_EQ(
+      err("[1, 1, 1]", "0.3"),
+      "room.yaml:4:66: warning: sample.volume.step: leaves 27 % of the volume "
+      "without samples: the last ones miss max along x by 0.1 m, y by 0.1 m, z by "
+      "0.1 m; [0.25, 0.25, 0.25] reaches it\n");
+  EXPECT_NE(err("[1, 1, 1]", "3").find("leaves 100 %"), std::string::npos);
+  EXPECT_NE(err("[1, 1, 1]", "[0.3, 0.5, 0.7]").find("[0.25, 0.5, 0.5] reaches it"),
+            std::string::npos);
+  EXPECT_EQ(err("[1, 1, 1]", "0.1"), "");
+  EXPECT_EQ(err("[1, 1, 0]", "0.25"), "");
+  EXPECT_EQ(err("[1, 1, 10]", "0.333"), "");  // 0.4 % are left
 }
 
 TEST(FieldCommand, WritesOneDocumentAndNothingElse) {

@@ -55,6 +55,42 @@ TEST(Optimize, WritesTheContractsDocument) {
   EXPECT_NEAR(field.json()["mean"], json["best_field"]["mean"], 1e-12);
 }
 
+/// More is known at a higher rate: 10 Hz, where the rates are equal, is the best,
+/// though the default fusion of the scenes below it is another one than at it.
+TEST(Optimize, DoesntMistakeAnotherDefinitionForABetterDesign) {
+  const Folder folder;
+  folder.write("anchors.yaml", R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.1]}
+sample: {points: [[1, 1, 1]]}
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 2], params: &u {sigma: 10 cm}}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 5, 0], params: *u}
+  - {name: c, type: uwb_range, rate: 10 Hz, at: [0, 5, 1], params: *u}
+variables: [{path: devices.a.rate, lower: 1 Hz, upper: 10 Hz}]
+)");
+  const Finished done =
+      run({"optimize", "anchors.yaml", "--seed", "1", "--out", "best.yaml", "--json"},
+          folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  EXPECT_EQ(json["best"], json["initial"]);
+  EXPECT_EQ(json["variables"]["devices.a.rate"], 10);
+  EXPECT_EQ(json["fusion"], "continuous");
+  EXPECT_NE(read_file(folder.path() / "best.yaml").find("fusion: continuous"),
+            std::string::npos);
+  // What is written says what it was found to be.
+  const Json field = run({"field", "best.yaml", "--json"}, folder.path()).json();
+  EXPECT_EQ(field["fusion"], "continuous");
+  EXPECT_EQ(field["mean"], json["best_field"]["mean"]);
+  // A fourth anchor would have a rate of its own.
+  const Json curve = run({"tradeoff", "anchors.yaml", "--devices", "3..4", "--starts",
+                          "1", "--evaluations", "8", "--json"},
+                         folder.path())
+                         .json();
+  EXPECT_EQ(curve["fusion"], "continuous");
+  EXPECT_EQ(curve["covariance"], "prior");
+}
+
 TEST(Optimize, TellsWhatChanged) {
   const Finished done = run(small({}));
   EXPECT_EQ(done.code, 0) << done.err;

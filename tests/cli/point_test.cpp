@@ -61,8 +61,8 @@ TEST(PointCommand, GivesSymmetricCovariancesThatFitTheMetrics) {
   EXPECT_NEAR(metric("sigma_position"), std::sqrt(xx + yy + zz), 1e-15);
 }
 
-/// 0.0189 m: tests/shipped_scenes/oracle.csv. The point is worked out with twice the digits of
-/// the field, which has about 1e-12 of them here.
+/// 0.0189 m: tests/shipped_scenes/oracle.csv. The point is worked out with twice the
+/// digits of the field, which has about 1e-12 of them here.
 TEST(PointCommand, AgreesWithTheFieldAtASample) {
   const std::string best = "0.2,0.2,0.24";
   const double at_point = point("02-eight-cameras", best)["metrics"]["eigmax"]["value"];
@@ -126,6 +126,60 @@ TEST(PointCommand, SaysThatAPointIsInsideASolid) {
   EXPECT_EQ(at("1.35,1,0.76").find("The point is inside a solid"), std::string::npos);
   EXPECT_EQ(point("06-furnished-lab", "1.35,1,0.72")["inside"], true);
   EXPECT_EQ(point("06-furnished-lab", "1.35,1,0.76")["inside"], false);
+}
+
+/// Four anchors and the tag on z = 0: σ_z is ∞ with each of them and without.
+TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
+  const Folder folder;
+  folder.write("flat.yaml", R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+sample: {points: [[0, 0, 0]]}
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 0]}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 0, 0]}
+  - {name: c, type: uwb_range, rate: 10 Hz, at: [5, 5, 0]}
+  - {name: d, type: uwb_range, rate: 10 Hz, at: [0, 5, 0]}
+)");
+  const std::vector<std::string> at = {"point", "flat.yaml", "--at", "2,1,0"};
+  std::vector<std::string> json = at;
+  json.push_back("--json");
+  for (const Json& device : run(json, folder.path()).json()["devices"]) {
+    EXPECT_TRUE(device["visible"]);
+    EXPECT_TRUE(device["share"].is_null());
+  }
+  const std::string text = run(at, folder.path()).out;
+  EXPECT_EQ(text.find("0 %"), std::string::npos) << text;
+  EXPECT_NE(text.find("eigmax isn't observed, with any device or without it"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("lost: z\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("the point and all 4 devices that see it lie in one plane, z = 0 "
+                      "m, so that small moves out of it change no reading"),
+            std::string::npos)
+      << text;
+  // Of the plane itself the shares are defined.
+  json.insert(json.end(), {"--metric", "sigma_y"});
+  for (const Json& device : run(json, folder.path()).json()["devices"])
+    EXPECT_GT(device["share"].get<double>(), 0);
+}
+
+/// Two anchors and the tag on the x axis: y and z are lost, for another reason.
+TEST(PointCommand, SaysThatPlacesAreOnALine) {
+  const Folder folder;
+  folder.write("line.yaml", R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+sample: {points: [[0, 0, 0]]}
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 1]}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 0, 1]}
+)");
+  const auto text = [&](const char* at) {
+    return run({"point", "line.yaml", "--at", at}, folder.path()).out;
+  };
+  EXPECT_NE(text("2,0,1").find("both devices that see it lie on one line"),
+            std::string::npos);
+  // Beside the line they span a plane with it, x and z.
+  EXPECT_NE(text("2,0,3").find("lie in one plane, y = 0 m"), std::string::npos);
 }
 
 TEST(PointCommand, RefusesPlacesThatAreNone) {

@@ -51,6 +51,34 @@ TEST(Select, WritesTheContractsDocumentAndAScene) {
   EXPECT_LE(polished.json()["best"], polished.json()["initial"]);
 }
 
+/// Four of five anchors, of which one that isn't worth choosing has another rate: what
+/// is certified of the four is what a field of them says.
+TEST(Select, WritesTheFusionThatItJudgedBy) {
+  const Folder folder;
+  folder.write("anchors.yaml", R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.1]}
+sample: {points: [[1, 1, 1]]}
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 2], params: &u {sigma: 10 cm}}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 5, 0], params: *u}
+  - {name: c, type: uwb_range, rate: 10 Hz, at: [0, 5, 1], params: *u}
+  - {name: d, type: uwb_range, rate: 10 Hz, at: [5, 0, 3], params: *u}
+  - {name: slow, type: uwb_range, rate: 0.1 Hz, at: [2, 2, 3], params: {sigma: 5 m}}
+objective: {minimize: mean, of: eigmax}
+selection: {count: 4, candidates: [{devices: "*"}]}
+)");
+  const Finished done =
+      run({"select", "anchors.yaml", "--gap", "0", "--out", "chosen.yaml", "--json"},
+          folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  EXPECT_EQ(json["chosen"], (Json{"a", "b", "c", "d"}));
+  EXPECT_EQ(json["fusion"], "continuous");
+  const Json field = run({"field", "chosen.yaml", "--json"}, folder.path()).json();
+  EXPECT_EQ(field["fusion"], "continuous");
+  EXPECT_NEAR(field["mean"], json["value"], 1e-3 * json["value"].get<double>());
+}
+
 TEST(Select, TellsWhatIsCertified) {
   const Finished done = run(anchors({"--gap", "0.1"}));
   ASSERT_EQ(done.code, 0) << done.err;

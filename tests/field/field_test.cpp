@@ -190,14 +190,15 @@ TEST(Compare, CountsImprovementsAndDifferences) {
   a.samples = b.samples = testing::points({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
   a.value = {2, 3, INFINITY, INFINITY};
   b.value = {1, 3.5, 4, INFINITY};
-  const Comparison c = compare_fields(a, b, false);
+  const Comparison c = compare_fields(a, b);
   EXPECT_EQ(c.common, 2u);
   EXPECT_DOUBLE_EQ(c.mean, -0.25);
   EXPECT_DOUBLE_EQ(c.min, -1);
   EXPECT_DOUBLE_EQ(c.max, 0.5);
   EXPECT_DOUBLE_EQ(c.improved_fraction, 0.5);
   EXPECT_EQ(c.difference.value, (std::vector<double>{-1, 0.5, INFINITY, INFINITY}));
-  EXPECT_DOUBLE_EQ(compare_fields(a, b, true).improved_fraction, 0.5);
+  a.larger_is_better = b.larger_is_better = true;
+  EXPECT_DOUBLE_EQ(compare_fields(a, b).improved_fraction, 0.5);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class MetricTable : public ::testing::Test {
         ++rows;
       }
     }
-    EXPECT_EQ(rows, 12u + 7 + 6 + 6);  // deviations of the states, and the others
+    EXPECT_EQ(rows, 12u + 8 + 6 + 6);  // deviations of the states, and the others
   }
 
   StateLayout layout_;

@@ -88,7 +88,8 @@ TEST(Metric, ThatTheStateLacksIsRefusedWithTheListOfThoseThere) {
   ASSERT_TRUE(std::holds_alternative<std::string>(answer));
   EXPECT_EQ(std::get<std::string>(answer),
             "unknown metric 'sigma_vx'; this state has sigma_x sigma_y sigma_z "
-            "sigma_position eigmax eiglen mle trace det coverage latency");
+            "sigma_horizontal sigma_position eigmax eiglen mle trace det coverage "
+            "latency");
 }
 
 TEST(Metric, IsInfiniteOnlyWhereItReadsALostDirection) {

@@ -143,6 +143,33 @@ INSTANTIATE_TEST_SUITE_P(
             "0.05, upper: 1}]",
             "{minimize: mean, robust: {failures: '*', mounting: {at: 2 cm}, draws: 2}}",
             {{"constraints", "[{metric: eigmax, below: 5 cm}]"}}},
+        // How many devices see a sample: of one marker and of three, from places and
+        // by what devices are, where each may fail, and against shadows.
+        Case{"02-eight-cameras",
+             "[{path: devices.*.at, lower: -6, upper: 7}, {path: "
+             "devices.upper1.params.focal, lower: 3 mm, upper: 12 mm}]",
+             "{maximize: mean, of: coverage}"},
+        Case{"06-furnished-lab", kTurned,
+             "{minimize: fraction, of: coverage, limit: 3}"},
+        Case{"03-hybrid",
+             "[{path: devices.*.at, lower: -6, upper: 7}]",
+             "{terms: [{maximize: cvar, of: coverage, level: 0.8}, {minimize: mean}], "
+             "robust: {failures: '*'}}",
+             {{"constraints", "[{metric: coverage, above: 5}]"}}},
+        Case{"04-motion-capture",
+             kPlaces,
+             "{maximize: percentile, of: coverage, level: 0.7}",
+             {{"motion",
+               "{type: position_velocity, state: pose, q: [0.4, 0.4, 0.1, 1, 1, "
+               "2]}"},
+              {"target", "{markers: [[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.15]]}"}},
+             40},
+        // One reading of everything, without motion.
+        Case{"03-hybrid",
+             "[{path: devices.*.at, lower: -6, upper: 7}]",
+             "{terms: [{minimize: mean, of: sigma_position}, {minimize: cvar, of: "
+             "eigmax}]}",
+             {{"covariance", "single"}}},
         // Limits on places, numbers and metrics.
         Case{"10-better-speakers",
              kSpeakers,

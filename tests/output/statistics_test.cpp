@@ -41,6 +41,21 @@ TEST(Statistics, LeavesOutWhatIsNotFinite) {
   EXPECT_DOUBLE_EQ(s.p95, 3.85);
 }
 
+// By hand: of coverage 1, 1, 2, 3, 4 the 5th percentile is 1 (h = 0.2): 95 % of the
+// samples reach it. The best is 4.
+TEST(Statistics, KnowWhichWayIsBetter) {
+  Field field = scattered({4, 1, 3, 1, 2});
+  EXPECT_EQ(summarize(field).best().value, 1);
+  EXPECT_EQ(summarize(field).worst().value, 4);
+  field.larger_is_better = true;
+  const FieldStatistics s = summarize(field);
+  EXPECT_EQ(s.p95, 1);
+  EXPECT_EQ(s.best().value, 4);
+  EXPECT_EQ(s.worst().value, 1);
+  EXPECT_EQ(s.worst().at.x(), 1);
+  EXPECT_EQ(s.min.value, 1);
+}
+
 TEST(Statistics, NamesTheFirstOfEqualExtremes) {
   const FieldStatistics s = summarize(scattered({2, 1, 3, 1, 3}));
   EXPECT_EQ(s.min.at.x(), 1);

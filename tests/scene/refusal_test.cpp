@@ -129,7 +129,7 @@ std::vector<Bad> bad_texts() {
           "sequential, artemis; did you mean 'stacked'?")}},
       {"UnknownCovariance",
        good_with("sample:", "covariance: P\nsample:"),
-       {e("7:13: error: covariance: 'P' is none of prior, posterior")}},
+       {e("7:13: error: covariance: 'P' is none of prior, posterior, single")}},
 
       // ---- motion ----
       {"MotionType",

@@ -155,7 +155,11 @@ TEST(RoundTrip, KeepsRandomScenes) {
     const Scene scene = Draw(seed).scene();
     const std::string text = write_scene(scene);
     const Loaded loaded = load(text);
-    for (const std::string& finding : loaded.findings) ADD_FAILURE() << finding;
+    // Boxes of two and a half steps are warned of.
+    for (const std::string& finding : loaded.findings)
+      EXPECT_NE(finding.find("without samples: the last ones miss max"),
+                std::string::npos)
+          << finding;
     ASSERT_TRUE(loaded.scene) << "seed " << seed << '\n' << text;
     ASSERT_TRUE(*loaded.scene == scene) << "seed " << seed << '\n' << text;
     ASSERT_EQ(write_scene(*loaded.scene), text);

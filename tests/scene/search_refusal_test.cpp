@@ -49,7 +49,8 @@ std::vector<Bad> bad_searches() {
       {"UnknownMetric",
        with("objective: {minimize: mean, of: eigmx}\n"),
        {e("18:33: error: objective.of: unknown metric 'eigmx'; this state has sigma_x "
-          "sigma_y sigma_z sigma_vx sigma_vy sigma_vz sigma_position eigmax eiglen mle "
+          "sigma_y sigma_z sigma_vx sigma_vy sigma_vz sigma_horizontal sigma_position "
+          "eigmax eiglen mle "
           "trace det coverage latency")}},
       {"MoreIsBetter",
        with("objective: {minimize: mean, of: coverage}\n"),

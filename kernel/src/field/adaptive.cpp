@@ -65,6 +65,8 @@ Field AdaptiveField::State::node_field() const {
   Field f;
   f.metric = metric.name;
   f.unit = metric.unit;
+  f.larger_is_better = metric.larger_is_better;
+  f.definition = {system.fusion, system.covariance};
   f.threads = threads;
   f.evaluations = evaluations;
   f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -133,6 +135,8 @@ Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) cons
   Field f;
   f.metric = metric.name;
   f.unit = metric.unit;
+  f.larger_is_better = metric.larger_is_better;
+  f.definition = {system.fusion, system.covariance};
   f.threads = threads;
   f.samples = samples;
   f.evaluated = queries.size();

@@ -12,8 +12,7 @@ constexpr double kRounding = 1e-9;
 
 }  // namespace
 
-Comparison compare_fields(const Field& first, const Field& second,
-                          bool larger_is_better) {
+Comparison compare_fields(const Field& first, const Field& second) {
   Comparison c;
   c.difference = second;
   c.difference.scene = second.scene + " − " + first.scene;
@@ -23,7 +22,7 @@ Comparison compare_fields(const Field& first, const Field& second,
     const double a = first.value[i], b = second.value[i];
     double& difference = c.difference.value[i];
     difference = std::numeric_limits<double>::infinity();
-    const double gain = larger_is_better ? b - a : a - b;
+    const double gain = first.larger_is_better ? b - a : a - b;
     if (std::isfinite(b) && (!std::isfinite(a) || gain > kRounding * std::abs(a))) {
       ++improved;
     }

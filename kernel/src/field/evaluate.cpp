@@ -15,7 +15,10 @@
 
 namespace delos {
 std::string metric_problem(const System& system, const Metric& metric) {
-  if (metric.kind != MetricKind::latency || system.fusion != Fusion::artemis) return "";
+  if (metric.kind != MetricKind::latency) return "";
+  if (system.covariance == CovarianceKind::single)
+    return "metric latency: a single reading has no closed loop; use covariance: prior";
+  if (system.fusion != Fusion::artemis) return "";
   return "metric latency: artemis fusion has no closed loop; use stacked or continuous";
 }
 
@@ -87,6 +90,8 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
       static_cast<std::size_t>(std::find(done.begin(), done.end(), 0) - done.begin());
   field.metric = metric.name;
   field.unit = metric.unit;
+  field.larger_is_better = metric.larger_is_better;
+  field.definition = {system.fusion, system.covariance};
   field.samples = samples;
   field.evaluated = std::min(reached * kLanes, points);
   field.evaluations = field.evaluated * turns;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "delos/field/evaluate.h"
 #include "delos/model/infinity.h"
 #include "delos/steady/steady_solver.h"
 #include "layers/block.h"
@@ -38,6 +39,7 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
 double value_of(const Metric& metric, const System& system, const FusedState& state,
                 const LayerBlock& block) {
   if (metric.kind == MetricKind::coverage) return coverage(block);
+  if (!metric_problem(system, metric).empty()) return kInfinity;
   const double value =
       state_metric(metric, system.motion.layout, state, system.covariance);
   return std::isfinite(value) ? value : kInfinity;
@@ -59,10 +61,12 @@ double value_without(System system, std::size_t device, const TargetPose& pose,
   return value_of(metric, system, state, block);
 }
 
-/// By what fraction the metric gets worse from `with` to `without`.
+/// By what fraction the metric gets worse from `with` to `without`; NaN where it has no
+/// value anyway.
 double rise(double with, double without, bool larger_is_better) {
-  if (!std::isfinite(with)) return 0;
+  if (!std::isfinite(with)) return std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(without)) return kInfinity;
+  if (with == without) return 0;
   return larger_is_better ? with / without - 1 : without / with - 1;
 }
 
@@ -99,6 +103,7 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
 
   report.residual = std::numeric_limits<double>::quiet_NaN();
   if (system.fusion == Fusion::stacked && !has_perfect_rows(block, 0) &&
+      system.covariance != CovarianceKind::single &&
       report.state.status == RiccatiStatus::converged) {
     const auto& [motion, measurement] = equation.steps.front();
     report.residual = riccati_residual(motion, measurement, report.state.prior);

@@ -7,7 +7,7 @@
 namespace delos {
 namespace {
 
-constexpr int kMostPacked = packed_index(kMaxState, 0);
+constexpr int kMostPacked = packed_index(kMaxState, 0) + 1;
 
 void pack(const StateMatrix& S, double* packed) {
   for (int i = 0; i < S.rows(); ++i)
@@ -41,17 +41,20 @@ void SoftField::State::prepare(const System& now, double edges,
 }
 
 /// The information of all devices, and the prior, in scratch.S.
-void SoftField::State::observe(const SoftInformation& soft, std::size_t point,
-                               std::size_t turn, SoftScratch& scratch) {
+/// @returns how many devices see the target
+double SoftField::State::observe(const SoftInformation& soft, std::size_t point,
+                                 std::size_t turn, SoftScratch& scratch) {
+  double seen = 0;
   scratch.S.setZero(columns, columns);
   scratch.S.diagonal()
       .head(system.motion.layout.coordinates())
       .setConstant(system.prior);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& device = system.devices[i];
-    soft.add(device, pose(point, turn), information_weight(system, device),
-             lines_of(point, turn, i), scratch.measure, scratch.S);
+    seen += soft.add(device, pose(point, turn), information_weight(system, device),
+                     lines_of(point, turn, i), scratch.measure, scratch.S);
   }
+  return seen;
 }
 
 /// The same, device by device and without the prior, in scratch.layers.
@@ -60,9 +63,11 @@ void SoftField::State::observe_layers(const SoftInformation& soft, std::size_t p
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& device = system.devices[i];
     scratch.S.setZero(columns, columns);
-    soft.add(device, pose(point, turn), information_weight(system, device),
-             lines_of(point, turn, i), scratch.measure, scratch.S);
-    pack(scratch.S, &scratch.layers[i * packed()]);
+    double* layer = &scratch.layers[i * packed()];
+    layer[seen_at()] =
+        soft.add(device, pose(point, turn), information_weight(system, device),
+                 lines_of(point, turn, i), scratch.measure, scratch.S);
+    pack(scratch.S, layer);
   }
 }
 
@@ -98,14 +103,15 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
     for (std::size_t c = 0; c < cases(); ++c) {
       double* out = &information[offset(point, t, c)];
       if (failing.empty()) {
-        observe(soft, point, t, scratch);
+        out[seen_at()] = observe(soft, point, t, scratch);
         pack(scratch.S, out);
       } else {
         sum_layers(scratch.layers, c, out);
       }
-      if (!by_information())
-        metric.values(out, scratch.steady,
-                      &scratch.of_turns[c * of_case + t * metrics.size()]);
+      if (by_information()) continue;
+      double* of_turn = &scratch.of_turns[c * of_case + t * metrics.size()];
+      metric.values(out, scratch.steady, of_turn);
+      set_coverage(out[seen_at()], of_turn);
     }
   }
   for (std::size_t c = 0; c < cases(); ++c) {
@@ -117,6 +123,11 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
     }
     combine(point, c, of_turns);
   }
+}
+
+void SoftField::State::set_coverage(double seen, double* of_turn) const {
+  for (std::size_t m = 0; m < metrics.size(); ++m)
+    if (metrics[m].kind == MetricKind::coverage) of_turn[m] = seen;
 }
 
 void SoftField::State::combine(std::size_t point, std::size_t of_case,
@@ -143,8 +154,11 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
     double S[kMostPacked];
     mean_information(point, of_case, S);
     metric.slope(S, weights.data(), steady, G);
-    for (std::size_t t = 0; t < turns.size(); ++t)
-      pack(G, &adjoint[offset(point, t, of_case)]);
+    for (std::size_t t = 0; t < turns.size(); ++t) {
+      double* out = &adjoint[offset(point, t, of_case)];
+      pack(G, out);
+      out[seen_at()] = 0;
+    }
     return;
   }
   for (std::size_t t = 0; t < turns.size(); ++t) {
@@ -160,6 +174,9 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
     }
     metric.slope(&information[offset(point, t, of_case)], weights.data(), steady, G);
     pack(G, out);
+    out[seen_at()] = 0;
+    for (std::size_t m = 0; m < metrics.size(); ++m)
+      if (metrics[m].kind == MetricKind::coverage) out[seen_at()] += weights[m];
   }
 }
 
@@ -178,16 +195,20 @@ void SoftField::State::sum_adjoints(std::size_t point) {
 //
 //   ∂J/∂S_i = Σ_c ∂J/∂S_c − ∂J/∂S_(without i)
 //
-/// @returns false where it is 0, and leaves G alone
+/// @param[out] g the same with respect to how far it sees the target
+/// @returns false where both are 0, and leaves them alone
 bool SoftField::State::adjoint_of(std::size_t point, std::size_t turn,
-                                  std::size_t device, StateMatrix& G) const {
+                                  std::size_t device, StateMatrix& G, double& g) const {
   const double* all = &adjoint[offset(point, turn, 0)];
   if (std::all_of(all, all + packed(), [](double g) { return g == 0; })) return false;
   unpack(all, columns, G);
+  g = all[seen_at()];
   if (own_case[device] == 0) return true;
   StateMatrix own;
-  unpack(&adjoint[offset(point, turn, own_case[device])], columns, own);
+  const double* without = &adjoint[offset(point, turn, own_case[device])];
+  unpack(without, columns, own);
   G -= own;
+  g -= without[seen_at()];
   return true;
 }
 

@@ -66,12 +66,15 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
     exact[i] = soft.has_slopes(s.system.devices[i]);
   s.each_chunk([&](std::size_t c) {
     StateMatrix G;
+    double g = 0;
     s.each_point(c, [&](std::size_t p) {
       for (std::size_t t = 0; t < s.turns.size(); ++t) {
         for (std::size_t i = 0; i < devices; ++i) {
-          if (exact[i] && s.adjoint_of(p, t, i, G))
-            of_chunks[c * devices + i] +=
-                soft.slope(s.system.devices[i], s.pose(p, t), s.lines_of(p, t, i), G);
+          if (!exact[i] || !s.adjoint_of(p, t, i, G, g)) continue;
+          const PlacedDevice& device = s.system.devices[i];
+          const double weight = information_weight(s.system, device);
+          of_chunks[c * devices + i] +=
+              soft.slope(device, s.pose(p, t), s.lines_of(p, t, i), weight * G, g);
         }
       }
     });
@@ -82,10 +85,7 @@ std::vector<PoseSlope> SoftField::pose_slopes() const {
     for (std::size_t i = 0; i < devices; ++i) slopes[i] += of_chunks[c * devices + i];
   for (std::size_t i = 0; i < devices; ++i) {
     const PlacedDevice& device = s.system.devices[i];
-    if (exact[i]) {
-      slopes[i] *= information_weight(s.system, device);
-      continue;
-    }
+    if (exact[i]) continue;
     // The place of these means nothing, or isn't in the world.
     if (device.device->span() == Span::state || device.carried()) continue;
     constexpr double kStep = 1e-5;  // metres, radians
@@ -116,15 +116,17 @@ double SoftField::contraction(std::size_t index, const PlacedDevice& device) con
   s.each_chunk([&](std::size_t c) {
     MeasureScratch scratch;
     StateMatrix G, S;
+    double g = 0;
     std::vector<Sightline> own(s.system.markers.size());
     s.each_point(c, [&](std::size_t p) {
       for (std::size_t t = 0; t < s.turns.size(); ++t) {
-        if (!s.adjoint_of(p, t, index, G)) continue;
+        if (!s.adjoint_of(p, t, index, G, g)) continue;
         if (moved) std::fill(own.begin(), own.end(), Sightline{});
         S.setZero(s.columns, s.columns);
-        soft.add(device, s.pose(p, t), weight,
-                 moved ? own.data() : s.lines_of(p, t, index), scratch, S);
-        of_chunks[c] += G.cwiseProduct(S).sum();
+        const double seen =
+            soft.add(device, s.pose(p, t), weight,
+                     moved ? own.data() : s.lines_of(p, t, index), scratch, S);
+        of_chunks[c] += G.cwiseProduct(S).sum() + g * seen;
       }
     });
   });

@@ -56,7 +56,9 @@ struct SoftField::State {
   [[nodiscard]] std::size_t points() const { return samples.points.size(); }
   [[nodiscard]] std::size_t chunks() const { return (points() + kChunk - 1) / kChunk; }
   [[nodiscard]] std::size_t cases() const { return 1 + failing.size(); }
-  [[nodiscard]] std::size_t packed() const {
+  /// The information, and at last how many devices see the target.
+  [[nodiscard]] std::size_t packed() const { return seen_at() + 1; }
+  [[nodiscard]] std::size_t seen_at() const {
     return static_cast<std::size_t>(packed_index(columns, 0));
   }
   [[nodiscard]] TargetPose pose(std::size_t point, std::size_t turn) const {
@@ -95,8 +97,8 @@ struct SoftField::State {
   }
 
   void prepare(const System& now, double edges, std::span<const std::size_t> fail);
-  void observe(const SoftInformation& soft, std::size_t point, std::size_t turn,
-               SoftScratch& scratch);
+  double observe(const SoftInformation& soft, std::size_t point, std::size_t turn,
+                 SoftScratch& scratch);
   void observe_layers(const SoftInformation& soft, std::size_t point, std::size_t turn,
                       SoftScratch& scratch);
   void sum_layers(const std::vector<double>& layers, std::size_t of_case,
@@ -110,7 +112,8 @@ struct SoftField::State {
                    std::vector<double>& weights);
   void sum_adjoints(std::size_t point);
   bool adjoint_of(std::size_t point, std::size_t turn, std::size_t device,
-                  StateMatrix& G) const;
+                  StateMatrix& G, double& g) const;
+  void set_coverage(double seen, double* of_turn) const;
 };
 
 }  // namespace delos

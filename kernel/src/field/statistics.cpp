@@ -37,6 +37,7 @@ double quantile(const std::vector<Weighted>& sorted, double p) {
 FieldStatistics summarize_range(const Field& field, std::size_t first,
                                 std::size_t count) {
   FieldStatistics s;
+  s.larger_is_better = field.larger_is_better;
   std::vector<Weighted> finite;
   finite.reserve(count);
   double sum = 0, weight = 0;
@@ -64,7 +65,7 @@ FieldStatistics summarize_range(const Field& field, std::size_t first,
             [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
   s.mean = sum / weight;
   s.median = quantile(finite, 0.5);
-  s.p95 = quantile(finite, 0.95);
+  s.p95 = quantile(finite, field.larger_is_better ? 1 - 0.95 : 0.95);
   return s;
 }
 

@@ -9,7 +9,8 @@ namespace delos {
 namespace {
 
 bool has(const StateLayout& layout, MetricReads reads) {
-  if (reads == MetricReads::position) return layout.pose != PoseState::orientation;
+  if (reads == MetricReads::position || reads == MetricReads::horizontal)
+    return layout.pose != PoseState::orientation;
   if (reads == MetricReads::orientation) return layout.pose != PoseState::position;
   return reads != MetricReads::one_state;  // named by their states
 }

@@ -65,6 +65,16 @@ void variance_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
   if (slopes) out.slope[0].setOnes(1, 1);
 }
 
+double horizontal(const CovarianceBlock& P) { return P(0, 0) + P(1, 1); }
+void horizontal_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
+  out.count = 1;
+  out.value[0] = horizontal(P);
+  if (slopes) out.slope[0].setIdentity(2, 2);
+}
+void horizontals(const double* const P[6], double* values) {
+  for (int l = 0; l < kLanes; ++l) values[l] = P[0][l] + P[2][l];
+}
+
 /// (2π)^(−n/2) |P|^(−1/2), through logarithms: |P| of nine states underflows easily.
 double likelihood(const CovarianceBlock& P) {
   const Eigen::LDLT<StateMatrix> ldlt(P);
@@ -90,6 +100,8 @@ constexpr MetricRow kTable[] = {
     // name, kind, reads, power, larger is better, root, convex, value, parts, lanes
     {"sigma_", MetricKind::sigma, MetricReads::one_state, 1, false, true, true,
      variance, variance_part, nullptr},
+    {"sigma_horizontal", MetricKind::sigma_horizontal, MetricReads::horizontal, 1,
+     false, true, true, horizontal, horizontal_part, horizontals},
     {"sigma_position", MetricKind::sigma_position, MetricReads::position, 1, false,
      true, true, kTrace, kTracePart, kTraces},
     {"sigma_orientation", MetricKind::sigma_orientation, MetricReads::orientation, 1,
@@ -141,6 +153,8 @@ BlockPlace place_of(const Metric& metric, const StateLayout& layout) {
   switch (row_of(metric.kind).reads) {
     case MetricReads::one_state:
       return {metric.state, 1};
+    case MetricReads::horizontal:
+      return {0, 2};
     case MetricReads::orientation:
       return {layout.positions(), 3};
     case MetricReads::whole_state:

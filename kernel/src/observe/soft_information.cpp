@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "rig/parts.h"
 #include "observe/answers.h"
+#include "rig/parts.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -119,11 +119,13 @@ bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
 }
 
 template <class Visit>
-bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
-                                       const TargetPose& X_WT, Sightline* lines,
-                                       StateRow& row, Visit&& visit) const {
-  if (placed.carried() || placed.device->span() != Span::point) return false;
+std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& placed,
+                                                        const TargetPose& X_WT,
+                                                        Sightline* lines, StateRow& row,
+                                                        Visit&& visit) const {
+  if (placed.carried() || placed.device->span() != Span::point) return std::nullopt;
   row.h.setZero(columns_);
+  double unseen = 1;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
@@ -134,11 +136,12 @@ bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
       line.visibility = 0;
       continue;
     }
-    if (!observe_smoothly(placed, p, rows)) return false;
+    if (!observe_smoothly(placed, p, rows)) return std::nullopt;
     const double v = view(rows.margin);
     if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
     row.share = v * line.visibility;
     if (row.share == 0) continue;
+    unseen *= 1 - row.share;
     for (int i = 0; i < rows.rows; ++i) {
       const Eigen::Vector3d h = rows.H.row(i).transpose();
       pull_row<1>(system_.motion.layout, placed.X_WS().R, h.data(), arm.data(),
@@ -147,12 +150,27 @@ bool SoftInformation::measure_smoothly(const PlacedDevice& placed,
       visit(std::as_const(row));
     }
   }
-  return true;
+  return 1 - unseen;
 }
 
-void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
-                          double weight, Sightline* lines, MeasureScratch& scratch,
-                          StateMatrix& S) const {
+double SoftInformation::unseen_by_others(const PlacedDevice& placed,
+                                         const TargetPose& X_WT, const Sightline* lines,
+                                         std::size_t marker) const {
+  double unseen = 1;
+  SmoothRows rows;
+  for (std::size_t m = 0; m < system_.markers.size(); ++m) {
+    if (m == marker || !(lines[m].visibility > 0)) continue;
+    const Eigen::Vector3d p =
+        seen_at(placed.X_WS(), X_WT.p, X_WT.R * system_.markers[m]);
+    if (p.isZero(0) || !observe_smoothly(placed, p, rows)) continue;
+    unseen *= 1 - view(rows.margin) * lines[m].visibility;
+  }
+  return unseen;
+}
+
+double SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
+                            double weight, Sightline* lines, MeasureScratch& scratch,
+                            StateMatrix& S) const {
   const auto add_row = [&](const StateRow& row) {
     if (row.perfect()) return;
     const double all = weight * row.weight();
@@ -161,8 +179,9 @@ void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
       for (int i = 0; i < columns_; ++i) S(i, j) += scaled * row.h(i);
     }
   };
-  if (measure_smoothly(placed, X_WT, lines, scratch.row, add_row)) return;
-  measure(system_, placed, X_WT, columns_, scratch, add_row);
+  if (const auto seen = measure_smoothly(placed, X_WT, lines, scratch.row, add_row))
+    return *seen;
+  return measure(system_, placed, X_WT, columns_, scratch, add_row) ? 1 : 0;
 }
 
 // With K = R_SW J G Jᵀ R_WS, J the lever, and p = R_SW (m − p_WS), m the marker:
@@ -170,8 +189,12 @@ void SoftInformation::add(const PlacedDevice& placed, const TargetPose& X_WT,
 //   ⟨G, S⟩ = v ⟨K, I(p)⟩,   I = Σ hᵀ h / r
 //   δp_WS:  δp = −R_SW δp_WS
 //   φ:      δp = −R_SW (φ × (m − p_WS)),  δ(R_WS I R_SW) = [φ]× I_W − I_W [φ]×
+//
+// What is seen of a marker changes both ⟨G, S⟩, by ⟨K, I⟩, and 1 − Π (1 − v), by the
+// part that the other markers leave.
 PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X_WT,
-                                 Sightline* lines, const StateMatrix& G) const {
+                                 const Sightline* lines, const StateMatrix& G,
+                                 double g) const {
   PoseSlope total = PoseSlope::Zero();
   const Eigen::Matrix3d R_WS = placed.X_WS().R;
   SmoothRows rows;
@@ -194,7 +217,8 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
     }
     const Eigen::Matrix3d K = R_WS.transpose() * G_point * R_WS;
     const Eigen::Matrix3d I = information(rows);
-    const double form = K.cwiseProduct(I).sum();
+    const double form = K.cwiseProduct(I).sum() +
+                        (g != 0 ? g * unseen_by_others(placed, X_WT, lines, m) : 0);
     const double view_slope = width_ > 0 ? 4 / width_ * v * (1 - v) : 0;
     const Eigen::Vector3d by_p =
         line.visibility *

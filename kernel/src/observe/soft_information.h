@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 
 #include "delos/model/pose.h"
 #include "delos/rig/system.h"
@@ -32,26 +34,34 @@ class SoftInformation {
 
   /// S += weight · information of a device about a target, columns square.
   /// @param lines one a marker; looked along where that hasn't been done
-  void add(const PlacedDevice& placed, const TargetPose& X_WT, double weight,
-           Sightline* lines, MeasureScratch& scratch, StateMatrix& S) const;
+  /// @returns how far it sees the target, 0 to 1: 1 − Π (1 − v) over the markers
+  double add(const PlacedDevice& placed, const TargetPose& X_WT, double weight,
+             Sightline* lines, MeasureScratch& scratch, StateMatrix& S) const;
 
   /// Whether slope() knows the device's slopes.
   [[nodiscard]] bool has_slopes(const PlacedDevice& placed) const;
 
-  /// ∂⟨G, S⟩/∂[p, φ] of what add() adds with weight 1.
+  /// ∂(⟨G, S⟩ + g v)/∂[p, φ] of what add() adds with weight 1, and of the v that it
+  /// returns.
   /// @param lines as add() left them
   /// @pre has_slopes(placed)
   [[nodiscard]] PoseSlope slope(const PlacedDevice& placed, const TargetPose& X_WT,
-                                Sightline* lines, const StateMatrix& G) const;
+                                const Sightline* lines, const StateMatrix& G,
+                                double g) const;
 
  private:
   [[nodiscard]] Sightline sightline(const PlacedDevice& placed, const TargetPose& X_WT,
                                     const Eigen::Vector3d& arm) const;
   /// measure() of rows that an update has as far as the marker is visible.
-  /// @returns false where the device has no observe_smoothly()
+  /// @returns as add(), or nullopt where the device has no observe_smoothly()
   template <class Visit>
-  bool measure_smoothly(const PlacedDevice& placed, const TargetPose& X_WT,
-                        Sightline* lines, StateRow& row, Visit&& visit) const;
+  std::optional<double> measure_smoothly(const PlacedDevice& placed,
+                                         const TargetPose& X_WT, Sightline* lines,
+                                         StateRow& row, Visit&& visit) const;
+  /// Π (1 − v) over all markers but one.
+  [[nodiscard]] double unseen_by_others(const PlacedDevice& placed,
+                                        const TargetPose& X_WT, const Sightline* lines,
+                                        std::size_t marker) const;
   [[nodiscard]] double view(double margin) const;
   [[nodiscard]] bool out_of_view(const Device& device, const Eigen::Vector3d& p) const;
 

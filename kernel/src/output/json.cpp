@@ -36,6 +36,8 @@ Json summary(const Field& field) {
   Json json;
   json["scene"] = field.scene;
   json["metric"] = {{"name", field.metric}, {"unit", field.unit}};
+  json["fusion"] = to_string(field.definition.fusion);
+  json["covariance"] = to_string(field.definition.covariance);
   add_statistics(json, summarize(field));
   if (field.samples.parts.size() > 1) {
     json["parts"] = Json::array();

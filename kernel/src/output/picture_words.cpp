@@ -29,7 +29,8 @@ std::string subtitle(const Field& field, const PictureOptions& options) {
   std::string text;
   if (s.finite > 0) {
     text = "Whole field: median " + format_quantity(s.median, field.unit) +
-           ", 95 % up to " + format_quantity(s.p95, field.unit) + "; ";
+           (s.larger_is_better ? ", 95 % at least " : ", 95 % up to ") +
+           format_quantity(s.p95, field.unit) + "; ";
   } else {
     text = "Whole field: ";
   }

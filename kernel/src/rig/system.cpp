@@ -4,17 +4,11 @@
 #include <map>
 #include <stdexcept>
 
+#include "delos/scene/definition.h"
 #include "rig/parts.h"
 
 namespace delos {
 namespace {
-
-Fusion default_fusion(const Scene& scene) {
-  const bool one_rate = std::all_of(
-      scene.devices.begin(), scene.devices.end(),
-      [&](const DeviceEntry& d) { return d.rate == scene.devices.front().rate; });
-  return one_rate ? Fusion::stacked : Fusion::continuous;
-}
 
 std::shared_ptr<const Device> reuse(const System* previous, std::size_t index,
                                     const DeviceEntry& entry) {
@@ -65,13 +59,27 @@ Occluders placed_occluders(const Scene& scene, Mount mount) {
   return bodies.empty() ? Occluders() : Occluders(bodies);
 }
 
+/// What makes single readings of a system, exactly to rounding: the posterior of a
+/// random walk that nothing is known of before an update,
+///
+///     (P⁻¹ + S)⁻¹ → S⁻¹ = (Hᵀ R⁻¹ H)⁻¹,   P ≥ q dt → ∞
+///
+/// since the closed forms of the scalar chain lose nothing at large ρ = q dt λ.
+constexpr double kUnknown = 1e20;  // q, m²/s and rad²/s; dt is 1 s
+
+MotionModel no_motion(const StateLayout& layout) {
+  const int d = layout.coordinates();
+  return {layout, ChainMotion{kUnknown * CoordinateMatrix::Identity(d, d)}};
+}
+
 }  // namespace
 
 System build_system(const Scene& scene, PluginRegistry& plugins,
                     const System* previous) {
   System system;
-  system.motion = scene.motion;
-  system.fusion = scene.fusion.value_or(default_fusion(scene));
+  const bool single = scene.covariance == CovarianceKind::single;
+  system.motion = single ? no_motion(covariance_layout(scene)) : scene.motion;
+  system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
   system.markers = scene.markers;
   system.skin = scene.skin;
@@ -104,8 +112,8 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     } else {
       placed.mount = WorldMount{device_pose(scene, entry)};
     }
-    placed.period = 1 / entry.rate;
-    placed.phase = entry.phase;
+    placed.period = single ? 1 : 1 / entry.rate;
+    placed.phase = single ? 0 : entry.phase;
     system.devices.push_back(std::move(placed));
   }
   return system;

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "delos/model/metric.h"
+#include "delos/scene/definition.h"
 #include "delos/scene/number.h"
 #include "document/node_text.h"
 #include "scene/search_keys.h"
@@ -76,8 +77,8 @@ void read_limit(Reader& reader, const Place& at, ConstraintDraft& out) {
   std::string unit = "1";
   if (const auto* metric = std::get_if<KeepMetric>(&out.entry.what)) {
     if (metric->metric.empty()) return;
-    unit =
-        std::get<Metric>(parse_metric(metric->metric, out.scene->motion.layout)).unit;
+    unit = std::get<Metric>(parse_metric(metric->metric, covariance_layout(*out.scene)))
+               .unit;
   }
   out.limit = reader.number(at, unit);
 }
@@ -280,7 +281,7 @@ void check_metric(Reader& reader, const Place& at, const ConstraintDraft& draft)
   const auto* metric = as<KeepMetric>(draft);
   if (!metric) return;
   const bool more =
-      std::get<Metric>(parse_metric(metric->metric, draft.scene->motion.layout))
+      std::get<Metric>(parse_metric(metric->metric, covariance_layout(*draft.scene)))
           .larger_is_better;
   const char* wanted = more ? "above" : "below";
   const char* wrong = more ? "below" : "above";
@@ -361,7 +362,7 @@ std::optional<Node> write_constraints(const Scene& scene) {
     ConstraintDraft draft;
     draft.entry = entry;
     if (const auto* metric = std::get_if<KeepMetric>(&entry.what)) {
-      const auto known = parse_metric(metric->metric, scene.motion.layout);
+      const auto known = parse_metric(metric->metric, covariance_layout(scene));
       if (std::get<Metric>(known).larger_is_better) draft.kind = "above";
     }
     list.push_back(write_map(kConstraintKeys, draft));

@@ -187,7 +187,7 @@ void check_seen_beacons(Reader& reader, const Place& at, const DeviceEntry& devi
 
 /// Make the device, whose plugin knows which values clash.
 void check_device(Reader& reader, const Place& at, const PluginInfo& info,
-                  const StateLayout* layout, const DeviceEntry& entry) {
+                  const StateLayout* layout, bool single, const DeviceEntry& entry) {
   try {
     const auto device = make_device(info, entry.params);
     if (entry.mount == Mount::target && device->span() != Span::point)
@@ -195,6 +195,10 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                                  entry.type +
                                      " measures the target itself; only devices that "
                                      "see points can look at beacons");
+    if (single && device->span() != Span::point && device->span() != Span::pose)
+      return reader.error(at,
+                          "measures more than the pose, of which a single reading is; "
+                          "use covariance: prior or posterior");
     if (!layout || device->span() != Span::state ||
         device->state_size() == layout->size())
       return;
@@ -213,6 +217,7 @@ struct Around {
   std::vector<std::string> groups;
   const std::vector<SurfaceEntry>* surfaces;
   const std::vector<BeaconSet>* beacons;
+  bool single;  ///< a single reading is asked for
 };
 
 void read_device(Reader& reader, const Place& at, const Around& around,
@@ -236,7 +241,7 @@ void read_device(Reader& reader, const Place& at, const Around& around,
   }
   read_params(reader, at, *plugin.info, out.params);
   if (reader.findings.errors() == before)
-    check_device(reader, at, *plugin.info, around.layout, out);
+    check_device(reader, at, *plugin.info, around.layout, around.single, out);
 }
 
 }  // namespace
@@ -264,7 +269,8 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
   Around around{known.motion ? &scene.motion.layout : nullptr,
                 {},
                 known.surfaces ? &scene.surfaces : nullptr,
-                known.beacons ? &scene.beacons : nullptr};
+                known.beacons ? &scene.beacons : nullptr,
+                scene.covariance == CovarianceKind::single};
   for (const Group& group : scene.groups) around.groups.push_back(group.name);
   std::map<std::string, int> line_of;
   scene.devices.reserve(node.items.size());

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "delos/model/metric.h"
+#include "delos/scene/definition.h"
 #include "document/node_text.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
@@ -29,7 +30,7 @@ struct TermDraft {
 Metric metric_of(const TermDraft& draft) {
   const std::string& name =
       draft.term.metric.empty() ? draft.scene->metric : draft.term.metric;
-  return std::get<Metric>(parse_metric(name, draft.scene->motion.layout));
+  return std::get<Metric>(parse_metric(name, covariance_layout(*draft.scene)));
 }
 
 void read_reduction(Reader& reader, const Place& at, TermDraft& out, bool maximize) {
@@ -173,6 +174,14 @@ void check_term(Reader& reader, const Place& at, const TermDraft& draft) {
                         metric.larger_is_better
                             ? "more " + metric.name + " is better: maximize it"
                             : "less " + metric.name + " is better: minimize it");
+  const bool of_costs = draft.term.reduction == Reduction::p_norm ||
+                        draft.term.reduction == Reduction::soft_max;
+  if (of_costs && metric.larger_is_better)
+    reader.error_within(at, reduction->mark, draft.reduction,
+                        std::string(word_of(kReductionWords, draft.term.reduction)) +
+                            " weighs what is large, but of " + metric.name +
+                            " the least matters; use mean, cvar, percentile or "
+                            "maximum, which is the least");
   if (fraction && draft.term.maximize)
     reader.error_within(at, reduction->mark, draft.reduction,
                         "fraction is the part of the samples that miss the limit: "
@@ -235,7 +244,7 @@ std::optional<std::string> read_metric_name(Reader& reader, const Place& at,
                                             const Scene& scene) {
   auto name = reader.word(at);
   if (!name) return std::nullopt;
-  const auto known = parse_metric(*name, scene.motion.layout);
+  const auto known = parse_metric(*name, covariance_layout(scene));
   if (const auto* problem = std::get_if<std::string>(&known)) {
     reader.error(at, *problem);
     return std::nullopt;

@@ -46,7 +46,10 @@ struct SampleSetDraft {
 void read_volume_set(Reader& reader, const Place& at, SampleSetDraft& out) {
   const auto volume = read_volume(reader, at);
   out.complete = volume.has_value();
-  if (volume) std::visit([&](const auto& shape) { out.set.shape = shape; }, *volume);
+  if (!volume) return;
+  std::visit([&](const auto& shape) { out.set.shape = shape; }, *volume);
+  if (const auto* grid = std::get_if<VolumeSampling>(&*volume))
+    check_reach(reader, at, *grid);
 }
 
 void read_plane_set(Reader& reader, const Place& at, SampleSetDraft& out) {

@@ -1,10 +1,12 @@
 #include "scene/sample_shapes.h"
 
+#include <cmath>
 #include <limits>
 
 #include "document/node_text.h"
 #include "scene/body_keys.h"
 #include "scene/mesh_keys.h"
+#include "text/number_text.h"
 
 namespace delos {
 namespace {
@@ -245,6 +247,32 @@ std::optional<PlaneSampling> read_plane(Reader& reader, const Place& at) {
   read_map(reader, at, kPlaneKeys, plane);
   if (reader.findings.errors() != before) return std::nullopt;
   return plane;
+}
+
+void check_reach(Reader& reader, const Place& at, const VolumeSampling& volume) {
+  constexpr double kWorthSaying = 0.05;  // of the volume
+  const Eigen::Vector3d extent = volume.max - volume.min;
+  double reached = 1;
+  std::string along, better;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    // As make_samples() counts; 4 digits, downwards, keep the count.
+    const double steps = extent[i] / volume.step[i], whole = std::floor(steps + 1e-9);
+    double step = volume.step[i];
+    if (extent[i] > 0 && whole < steps * (1 - 1e-9)) {
+      reached *= whole / steps;
+      along += (along.empty() ? "" : ", ") + std::string(kAxes[i]) + " by " +
+               rounded(extent[i] - whole * volume.step[i], 3) + " m";
+      step = extent[i] / std::ceil(steps);
+      const double unit = std::pow(10, std::floor(std::log10(step)) - 3);
+      step = std::floor(step / unit * (1 + 1e-12)) * unit;
+    }
+    better += (i > 0 ? ", " : "[") + rounded(step, 4);
+  }
+  if (1 - reached < kWorthSaying) return;
+  reader.warning(Place(at, "step", *at.node().find("step")),
+                 "leaves " + rounded(100 * (1 - reached), 2) +
+                     " % of the volume without samples: the last ones miss max along " +
+                     along + "; " + better + "] reaches it");
 }
 
 Node write_volume(const VolumeSampling& volume) {

@@ -13,6 +13,9 @@ namespace delos {
 // nullopt: there is a finding.
 [[nodiscard]] std::optional<std::variant<VolumeSampling, AdaptiveSampling>> read_volume(
     Reader& reader, const Place& at);
+/// Warns where the last samples of a box are far from its end.
+void check_reach(Reader& reader, const Place& at, const VolumeSampling& volume);
+
 [[nodiscard]] std::optional<PlaneSampling> read_plane(Reader& reader, const Place& at);
 [[nodiscard]] std::optional<MeshSampling> read_mesh_samples(Reader& reader,
                                                             const Place& at);

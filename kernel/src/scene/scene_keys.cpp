@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "delos/model/metric.h"
+#include "delos/scene/definition.h"
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
@@ -95,7 +96,8 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
        read_orientations(r, p, d.scene.orientations);
      },
      [](const SceneDraft& d) -> Written { return write_orientations(d.scene); }},
-    {"covariance", Need::optional, "the one that the metric reads: prior or posterior",
+    {"covariance", Need::optional,
+     "the one that the metric reads: prior, posterior or single",
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (const auto kind = r.choice(p, kCovarianceWords)) d.scene.covariance = *kind;
      },
@@ -106,7 +108,7 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
      [](Reader& r, const Place& p, SceneDraft& d) {
        auto metric = r.word(p);
        if (!metric) return;
-       const auto known = parse_metric(*metric, d.scene.motion.layout);
+       const auto known = parse_metric(*metric, covariance_layout(d.scene));
        const auto* problem = std::get_if<std::string>(&known);
        if (problem && d.known.motion) r.error(p, *problem);
        d.scene.metric = std::move(*metric);
@@ -224,6 +226,19 @@ void check_fusion(Reader& reader, const Place& root, const Scene& scene) {
            "; make them equal");
 }
 
+/// Variables may not part rates that must be one.
+void check_varied_rates(Reader& reader, const Place& root, const Scene& scene) {
+  if (has_one_rate(scene)) return;
+  const bool custom = !scene.motion.is_chain();
+  if (!custom && scene.fusion != Fusion::stacked) return;
+  const std::string why = custom ? "custom motion is one update of one rate"
+                                 : "stacked fusion needs one rate";
+  reader.error_within(root, root.node().find("variables")->mark, "variables",
+                      "change the rates of single devices, but " + why +
+                          (custom ? "; tie all rates together"
+                                  : "; tie all rates together, or use continuous"));
+}
+
 /// Orientations stand in `sample` or beside it, not in both.
 void check_orientations(Reader& reader, const Place& root) {
   const Node* beside = root.node().find("orientations");
@@ -237,7 +252,7 @@ void check_orientations(Reader& reader, const Place& root) {
 void read_near_metric(Reader& reader, const Place& root, SceneDraft& draft) {
   const Node* sample = root.node().find("sample");
   if (!sample || !draft.known.motion) return;
-  const auto metric = parse_metric(draft.scene.metric, draft.scene.motion.layout);
+  const auto metric = parse_metric(draft.scene.metric, covariance_layout(draft.scene));
   if (const auto* known = std::get_if<Metric>(&metric))
     read_near(reader, Place(root, "sample", *sample), known->unit, draft.scene);
 }
@@ -274,6 +289,7 @@ Scene read_scene(Reader& reader, const Node& root) {
                   [](const DeviceEntry& d) { return d.rate > 0; });
   if (draft.known.motion && rates_known) check_fusion(reader, place, draft.scene);
   if (reader.findings.errors() == 0) read_search(reader, place, draft.scene);
+  if (reader.findings.errors() == 0) check_varied_rates(reader, place, draft.scene);
   return std::move(draft.scene);
 }
 

@@ -17,6 +17,7 @@ inline constexpr std::pair<const char*, Fusion> kFusionWords[] = {
 inline constexpr std::pair<const char*, CovarianceKind> kCovarianceWords[] = {
     {"prior", CovarianceKind::prior},
     {"posterior", CovarianceKind::posterior},
+    {"single", CovarianceKind::single},
 };
 
 inline constexpr std::pair<const char*, OrientationRule> kOrientationRuleWords[] = {

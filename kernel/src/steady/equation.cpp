@@ -8,7 +8,7 @@ namespace delos {
 
 SteadyRequest request_for(const System& system, std::span<const Metric> metrics) {
   SteadyRequest request{system.covariance == CovarianceKind::prior,
-                        system.covariance == CovarianceKind::posterior, false, false};
+                        system.covariance != CovarianceKind::prior, false, false};
   for (const Metric& metric : metrics) {
     const MetricNeed need = need_of(metric, system.motion.layout);
     request.whole_state |= need == MetricNeed::whole_state;

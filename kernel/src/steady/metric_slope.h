@@ -22,7 +22,7 @@ class MetricSlope {
   [[nodiscard]] Scratch make_scratch() const { return {solver_->equation(), {}}; }
 
   /// @param S information of one update, or its rate, packed as model/lanes.h says
-  /// @param[out] values one a metric; +∞ where it isn't finite
+  /// @param[out] values one a metric; +∞ where it isn't finite, and for coverage
   void values(const double* S, Scratch& scratch, double* values) const;
 
   /// Σ_m weight_m ∂value_m/∂S
@@ -32,6 +32,8 @@ class MetricSlope {
              StateMatrix& G) const;
 
  private:
+  /// Whether a metric, of those with a weight, is one of P∞.
+  [[nodiscard]] bool reads_state(const double* weights) const;
   /// P∞ of a pose; null where it has no finite value.
   const StateMatrix* solve(const double* S, Scratch& scratch) const;
 

@@ -33,7 +33,7 @@ StateMatrix StackedSolver::adjoint(const SteadyEquation& at,
   StateMatrix whole = StateMatrix::Zero(n, n);
   whole.topLeftCorner(Y.rows(), Y.cols()) = Y;
   return riccati_gradient(motion, measurement, at.states.front(), whole,
-                          system_.covariance == CovarianceKind::posterior)
+                          system_.covariance != CovarianceKind::prior)
       .topLeftCorner(at.columns, at.columns);
 }
 

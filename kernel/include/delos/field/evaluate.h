@@ -70,7 +70,6 @@ struct Comparison {
 
 /// @pre both fields have the same points and metric
 [[nodiscard]] DELOS_API Comparison compare_fields(const Field& first,
-                                                  const Field& second,
-                                                  bool larger_is_better);
+                                                  const Field& second);
 
 }  // namespace delos

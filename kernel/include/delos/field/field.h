@@ -9,16 +9,19 @@
 
 #include "delos/api.h"
 #include "delos/sampling/samples.h"
+#include "delos/scene/definition.h"
 
 namespace delos {
 
 /// A metric's value at every sample point.
 struct Field {
-  std::string scene;          ///< the scene's name
-  std::string metric;         ///< the metric's name
-  std::string unit;           ///< its SI unit
-  Samples samples;            ///< where
-  std::vector<double> value;  ///< one a point; +∞ where it has no finite value
+  std::string scene;              ///< the scene's name
+  std::string metric;             ///< the metric's name
+  std::string unit;               ///< its SI unit
+  Definition definition;          ///< what it is a metric of
+  bool larger_is_better = false;  ///< which way the metric is better
+  Samples samples;                ///< where
+  std::vector<double> value;      ///< one a point; +∞ where it has no finite value
   std::vector<unsigned char>
       observable;  ///< one a point; 1: every direction is observed
   /// One a point: how many directions of the pose aren't observed; the most, of several
@@ -47,14 +50,19 @@ struct Extreme {
 
 /// Summary of a field over the samples at which the metric is finite.
 struct FieldStatistics {
-  std::size_t samples = 0;     ///< all outside solids
-  std::size_t inside = 0;      ///< within solids: left out
-  std::size_t observable = 0;  ///< every direction is observed
-  std::size_t one_short = 0;   ///< one direction isn't
+  bool larger_is_better = false;  ///< as the field
+  std::size_t samples = 0;        ///< all outside solids
+  std::size_t inside = 0;         ///< within solids: left out
+  std::size_t observable = 0;     ///< every direction is observed
+  std::size_t one_short = 0;      ///< one direction isn't
   std::size_t finite = 0;  ///< the metric is finite: what the numbers below are over
   Extreme min, max;        ///< the first one where several are equal
-  /// By volume, where samples have weights. Percentiles interpolate linearly.
+  /// By volume, where samples have weights. Percentiles interpolate linearly. 95 % of
+  /// the samples are at least as good as p95: where more is better, the 5th percentile.
   double mean = 0, median = 0, p95 = 0;
+
+  [[nodiscard]] const Extreme& best() const { return larger_is_better ? max : min; }
+  [[nodiscard]] const Extreme& worst() const { return larger_is_better ? min : max; }
 };
 
 /// @returns all zero but `samples` where no value is finite.

@@ -20,7 +20,8 @@ struct DeviceShare {
   std::string type;
   bool visible = false;
   /// Relative rise of the metric's loss when this device alone is taken away; +∞ where
-  /// the metric is lost without it. 0.5: half as large again.
+  /// the metric is lost without it, NaN where it is lost with it too. 0.5: half as
+  /// large again.
   double share = 0;
 };
 

@@ -28,11 +28,13 @@ using FieldValues = std::vector<std::vector<double>>;
 ///     v_shadow = 3x² − 2x³ up to 1,   x = 3 c/(w l),  c how far the sight line of
 ///                length l passes from what hides; 0 where it is hidden
 ///
-/// with w = width. Eigmax is replaced by (Σ λ^p)^(1/2p), p = 16, which has slopes where
-/// eigenvalues meet; it is above eigmax by 3.5 % at most.
+/// with w = width. Coverage is Σ_i v_i; of several markers, Σ_i 1 − Π (1 − v). Eigmax
+/// is replaced by (Σ λ^p)^(1/2p), p = 16, which has slopes where eigenvalues meet; it
+/// is above eigmax by 3.5 % at most.
 class DELOS_API SoftField {
  public:
-  /// @pre slope_problem() is empty for every metric
+  /// @pre slope_problem() is empty for every metric; none is coverage where the
+  ///      information of several orientations is averaged, see combine
   SoftField(Samples samples, Orientations orientations, std::vector<Metric> metrics,
             int threads = 0);
   ~SoftField();
@@ -57,9 +59,9 @@ class DELOS_API SoftField {
   /// differences of each device's own information.
   [[nodiscard]] std::vector<PoseSlope> pose_slopes() const;
 
-  /// Σ ⟨∂J/∂S_device, S_device⟩ over all poses, of a device of the system as it is or
-  /// changed: its differences in anything that only this device depends on are those of
-  /// J, to first order.
+  /// Σ ⟨∂J/∂S_device, S_device⟩ + ∂J/∂v_device v_device over all poses, of a device of
+  /// the system as it is or changed: its differences in anything that only this device
+  /// depends on are those of J, to first order.
   [[nodiscard]] double contraction(std::size_t index, const PlacedDevice& device) const;
 
  private:

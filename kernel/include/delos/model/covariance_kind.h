@@ -1,12 +1,13 @@
-// Which covariance of a steady state is meant.
+// Which covariance is meant.
 #pragma once
 
 namespace delos {
 
-/// Which instant of the steady cycle a covariance describes.
+/// What a covariance describes: an instant of the steady cycle, or no motion at all.
 enum class CovarianceKind {
   prior,      ///< predicted, just before the measurements of an update
   posterior,  ///< just after them
+  single,  ///< one reading of every device and nothing known before: (HᵀR⁻¹H)⁻¹
 };
 
 }  // namespace delos

@@ -15,6 +15,7 @@ namespace delos {
 /// orientation-only state.
 enum class MetricKind {
   sigma,              ///< standard deviation of one state
+  sigma_horizontal,   ///< √(σ_x² + σ_y²)
   sigma_position,     ///< √trace of the position block
   sigma_orientation,  ///< √trace of the orientation block
   eigmax,    ///< √(largest eigenvalue of the block): Eq. 48, as plotted in metres

@@ -14,7 +14,8 @@ namespace delos {
 enum class MetricReads {
   devices,      ///< which devices see the target; nothing of P∞
   one_state,    ///< the variance of one state
-  position,     ///< the position block of P∞
+  horizontal,   ///< the position block of P∞ without z
+  position,     ///< the position block
   orientation,  ///< its orientation block
   block,        ///< the first of these two that the state has
   whole_state,  ///< all of P∞

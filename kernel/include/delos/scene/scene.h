@@ -202,8 +202,7 @@ struct DeviceEntry {
 struct Scene {
   std::string name;
   MotionModel motion;
-  std::optional<Fusion> fusion;  ///< not given: stacked where all rates are equal, else
-                                 ///< continuous
+  std::optional<Fusion> fusion;  ///< not given: see definition_of()
   std::vector<SampleSet> samples;
   Orientations orientations;
   CovarianceKind covariance = CovarianceKind::prior;

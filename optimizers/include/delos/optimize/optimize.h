@@ -100,8 +100,8 @@ struct OptimizeResult {
 
 [[nodiscard]] std::vector<std::string> algorithm_names();
 
-/// The scene with the guess of its objective written down, so that scores of other
-/// designs can be compared with its own.
+/// The scene with the guess of its objective and its fusion written down, so that
+/// scores of other designs can be compared with its own.
 /// @throws std::invalid_argument as Problem
 [[nodiscard]] Scene with_guess(Scene scene, PluginRegistry& plugins);
 

@@ -66,7 +66,8 @@ using Prices = std::map<std::string, double>;
 /// of the device, and among random values of its variables those that help most, are
 /// added. At last neighbours are compared, and searched again where adding to the
 /// smaller or taking from the larger kit gives a better design. So more devices are
-/// never worse, where no constraint speaks against one more.
+/// never worse, where no constraint speaks against one more. All points have the fusion
+/// of the scene as it stands; where rates vary and it doesn't say, continuous.
 /// @returns a point for each number, the least first
 /// @throws std::invalid_argument as optimize(); a device that the variables move moves
 ///         others with it; none has variables of its own; or too few would be left

@@ -1,0 +1,55 @@
+// What a covariance is of: numbers of scenes can be compared where this is the same.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "delos/api.h"
+#include "delos/scene/scene.h"
+
+namespace delos {
+
+/// Which covariance is computed.
+struct Definition {
+  Fusion fusion = Fusion::stacked;
+  CovarianceKind covariance = CovarianceKind::prior;
+  friend bool operator==(const Definition&, const Definition&) = default;
+};
+
+/// The states that a scene's covariance has: of a single reading, those of the pose.
+[[nodiscard]] DELOS_API StateLayout covariance_layout(const Scene& scene);
+
+/// "a-priori covariance, stacked fusion", "covariance of a single reading"
+[[nodiscard]] DELOS_API std::string to_string(const Definition& definition);
+
+/// Whether numbers of both can be compared: continuous and periodic fusion know no
+/// difference between before an update and after it.
+[[nodiscard]] DELOS_API bool alike(const Definition& a, const Definition& b);
+
+/// Whether a variable changes the rate of a device.
+[[nodiscard]] DELOS_API bool varies_rates(const Scene& scene);
+
+/// Whether all devices have one rate, whatever the variables are set to.
+[[nodiscard]] DELOS_API bool has_one_rate(const Scene& scene);
+
+/// What a scene's numbers are of. Its fusion, where it doesn't say, is its default:
+/// stacked where has_one_rate(), or motion is one update, else continuous. So no design
+/// of a search has another definition than the scene that it began with.
+/// A single reading has all devices read once, together, whatever their rates: stacked.
+[[nodiscard]] DELOS_API Definition definition_of(const Scene& scene);
+
+/// The scene with its fusion written down, so that parts and copies of it keep it; but
+/// for single readings, which have none.
+[[nodiscard]] DELOS_API Scene with_definition(Scene scene);
+
+/// The one fusion under which scenes are compared. A scene that says another one than
+/// its default demands it; all that do must agree. Where none does: stacked if that is
+/// every scene's default, else continuous.
+/// @returns nullopt where they demand different ones, or one can't have what others
+///          demand
+/// @pre there is a scene
+[[nodiscard]] DELOS_API std::optional<Fusion> common_fusion(
+    std::span<const Scene* const> scenes);
+
+}  // namespace delos

@@ -1,0 +1,117 @@
+#include "delos/scene/definition.h"
+
+#include <algorithm>
+#include <map>
+
+namespace delos {
+namespace {
+
+/// What sets a rate: factor·variable + offset; without a variable, offset alone.
+struct RateSource {
+  const VariableEntry* variable = nullptr;
+  double factor = 0, offset = 0;
+  friend bool operator==(const RateSource&, const RateSource&) = default;
+};
+
+/// The device of "devices.NAME.rate", else empty.
+std::string rated_device(const std::string& path) {
+  const std::string first = "devices.", last = ".rate";
+  if (!path.starts_with(first) || !path.ends_with(last) ||
+      path.size() <= first.size() + last.size())
+    return "";
+  return path.substr(first.size(), path.size() - first.size() - last.size());
+}
+
+/// The devices whose rates variables set.
+std::map<std::string, RateSource> varied_rates(const Scene& scene) {
+  std::map<std::string, RateSource> varied;
+  const auto add = [&](const std::string& path, const RateSource& source) {
+    if (const std::string name = rated_device(path); !name.empty())
+      varied[name] = source;
+  };
+  for (const VariableEntry& v : scene.variables) {
+    add(v.path, {&v, 1, 0});
+    for (const Follower& f : v.followers) add(f.path, {&v, f.factor, f.offset});
+  }
+  return varied;
+}
+
+Fusion default_fusion(const Scene& scene) {
+  const bool one = !scene.motion.is_chain() || has_one_rate(scene);
+  return one ? Fusion::stacked : Fusion::continuous;
+}
+
+/// Whether a scene can have this fusion.
+bool takes(const Scene& scene, Fusion fusion) {
+  if (fusion == Fusion::stacked) return has_one_rate(scene);
+  return scene.motion.is_chain() ||
+         (fusion != Fusion::continuous && fusion != Fusion::periodic);
+}
+
+}  // namespace
+
+StateLayout covariance_layout(const Scene& scene) {
+  if (scene.covariance != CovarianceKind::single) return scene.motion.layout;
+  return {scene.motion.layout.pose, 1, {}};
+}
+
+std::string to_string(const Definition& definition) {
+  if (definition.covariance == CovarianceKind::single)
+    return "covariance of a single reading";
+  return std::string(definition.covariance == CovarianceKind::prior ? "a-priori"
+                                                                    : "a-posteriori") +
+         " covariance, " + to_string(definition.fusion) + " fusion";
+}
+
+bool alike(const Definition& a, const Definition& b) {
+  if (a.covariance == CovarianceKind::single || b.covariance == CovarianceKind::single)
+    return a.covariance == b.covariance;
+  const bool one_covariance =
+      a.fusion == Fusion::continuous || a.fusion == Fusion::periodic;
+  return a.fusion == b.fusion && (one_covariance || a.covariance == b.covariance);
+}
+
+bool varies_rates(const Scene& scene) { return !varied_rates(scene).empty(); }
+
+bool has_one_rate(const Scene& scene) {
+  const std::map<std::string, RateSource> varied = varied_rates(scene);
+  const auto source = [&](const DeviceEntry& device) {
+    const auto found = varied.find(device.name);
+    return found == varied.end() ? RateSource{nullptr, 0, device.rate} : found->second;
+  };
+  return std::all_of(scene.devices.begin(), scene.devices.end(),
+                     [&](const DeviceEntry& device) {
+                       return source(device) == source(scene.devices.front());
+                     });
+}
+
+Definition definition_of(const Scene& scene) {
+  if (scene.covariance == CovarianceKind::single)
+    return {Fusion::stacked, CovarianceKind::single};
+  return {scene.fusion.value_or(default_fusion(scene)), scene.covariance};
+}
+
+Scene with_definition(Scene scene) {
+  if (scene.covariance != CovarianceKind::single)
+    scene.fusion = definition_of(scene).fusion;
+  return scene;
+}
+
+std::optional<Fusion> common_fusion(std::span<const Scene* const> scenes) {
+  std::optional<Fusion> common;
+  bool stacked = true;
+  for (const Scene* scene : scenes) {
+    const Fusion own = default_fusion(*scene), said = scene->fusion.value_or(own);
+    stacked = stacked && own == Fusion::stacked;
+    if (said == own) continue;
+    if (common && *common != said) return std::nullopt;
+    common = said;
+  }
+  if (!common) common = stacked ? Fusion::stacked : Fusion::continuous;
+  const bool all = std::all_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
+    return takes(*scene, *common);
+  });
+  return all ? common : std::nullopt;
+}
+
+}  // namespace delos
