@@ -12,6 +12,7 @@
 #include "evaluation.h"
 #include "json.h"
 #include "summary.h"
+#include "warnings.h"
 
 namespace delos::cli {
 namespace {
@@ -68,6 +69,7 @@ void print(std::ostream& out, const Verification& v, const std::string& unit) {
 int run(const FieldCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
+  const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
   const Samples samples = planned_samples(loaded.scene);
   for (const auto& file : command.out) {
     const std::string problem = drawable(loaded.scene, samples, file);
@@ -99,12 +101,11 @@ int run(const FieldCommand& command) {
   }
   const Verification verification =
       command.verify ? verify(loaded, command.options, interrupt) : Verification{};
-  if (command.options.json && command.verify) {
+  if (command.options.json) {
     Json json = Json::parse(field_json(field));
-    json["verification"] = to_json(verification);
-    std::cout << json.dump(2) << "\n";
-  } else if (command.options.json) {
-    std::cout << field_json(field);
+    if (!warnings.empty()) json["warnings"] = diagnostics_json(warnings);
+    if (command.verify) json["verification"] = to_json(verification);
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   } else {
     print_summary(std::cout, loaded, field);
     if (evaluation.octree) print_octree(std::cout, evaluation.octree->report());

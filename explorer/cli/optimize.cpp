@@ -9,6 +9,7 @@
 #include "delos/output/write.h"
 #include "evaluation.h"
 #include "search_report.h"
+#include "warnings.h"
 
 namespace delos::cli {
 namespace {
@@ -72,6 +73,7 @@ int run(OptimizeCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   LoadedScene loaded = load(command.scene, command.options, plugins);
   check_outputs(command, loaded.scene);
+  const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
 
   const Interrupt interrupt;
   SearchLine line(loaded.scene);
@@ -92,7 +94,8 @@ int run(OptimizeCommand& command) {
         result = search(command, loaded.scene, plugins);
         return *result;
       },
-      line, command.scene, command.study, plugins, command.options.json, explain);
+      line, command.scene, command.study, plugins, command.options.json, explain,
+      warnings);
 
   const std::filesystem::path folder = command.scene.parent_path();
   write_fields(command.before, loaded, command.options, folder, interrupt);

@@ -61,17 +61,27 @@ class BeaconSharing {
   std::map<std::vector<std::string>, std::shared_ptr<const BeaconIndex>> made_;
 };
 
+TriangleMesh placed_mesh(const OccluderEntry& entry) {
+  return transformed(body_mesh(entry.body), pose_of(entry.placement));
+}
+
 /// The bodies of one mount, placed.
 Occluders placed_occluders(const Scene& scene, Mount mount) {
   std::vector<TriangleMesh> bodies;
+  std::vector<char> rooms;
   for (const OccluderEntry& entry : scene.occluders) {
     if (entry.mount != mount) continue;
-    bodies.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
+    bodies.push_back(placed_mesh(entry));
+    rooms.push_back(entry.room);
   }
-  return bodies.empty() ? Occluders() : Occluders(bodies);
+  return bodies.empty() ? Occluders() : Occluders(bodies, rooms);
 }
 
 }  // namespace
+
+Occluders placed_body(const OccluderEntry& entry) {
+  return Occluders({placed_mesh(entry)}, {entry.room});
+}
 
 System build_system(const Scene& scene, PluginRegistry& plugins,
                     const System* previous) {
