@@ -80,6 +80,7 @@ int run(const FieldCommand& command) {
   PictureOptions picture;
   picture.log10 = command.log10;
   picture.larger_is_better = loaded.metric.larger_is_better;
+  picture.devices = markers_of(loaded.scene, loaded.system);
   if (!command.slice.empty()) {
     const auto z = parse_quantity(command.slice, "m");
     if (const auto* problem = std::get_if<std::string>(&z)) {

@@ -46,6 +46,7 @@ void write_fields(const std::vector<std::filesystem::path>& files,
   std::optional<Evaluation> evaluation;
   PictureOptions picture;
   picture.larger_is_better = loaded.metric.larger_is_better;
+  picture.devices = markers_of(loaded.scene, loaded.system);
   for (const auto& file : files) {
     std::string problem;
     if (is_scene(file)) {
