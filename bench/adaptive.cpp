@@ -148,7 +148,7 @@ AdaptiveField octree_of(const Case& c, const Setting& setting,
   sampling.near_value = near_value;
   AdaptiveOptions options;
   options.field.threads = 1;
-  options.held_back = 0;
+  options.held_back = options.spread = 0;
   return evaluate_adaptive(c.system, sampling, c.orientations, c.metric, options);
 }
 
@@ -306,7 +306,7 @@ int main(int argc, char** argv) {
     return argc == 1 ||
            std::find(argv + 1, argv + argc, std::string(part)) != argv + argc;
   };
-  const Case acoustic = scene_case("01-acoustic.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
+  const Case acoustic = scene_case("10-better-speakers.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
   const Case cameras =
       scene_case("02-eight-cameras.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
   const Case lab =

@@ -7,6 +7,7 @@
 #include "delos/steady/steady_solver.h"
 #include "json.h"
 #include "summary.h"
+#include "warnings.h"
 
 namespace delos::cli {
 namespace {
@@ -50,7 +51,10 @@ Checked check(const std::filesystem::path& file, const SceneOptions& options,
   Checked checked{file, {}, {}};
   try {
     const auto loaded = load(file, options, plugins, checked.diagnostics);
-    if (loaded) checked.facts = facts_of(*loaded, solver_named(options.solver));
+    if (!loaded) return checked;
+    checked.facts = facts_of(*loaded, solver_named(options.solver));
+    const Diagnostics doubts = doubts_of(file, *loaded, plugins);
+    checked.diagnostics.insert(checked.diagnostics.end(), doubts.begin(), doubts.end());
   } catch (const std::invalid_argument& error) {
     checked.diagnostics.push_back({{file.string()}, Severity::error, error.what()});
   }
@@ -79,16 +83,7 @@ Json to_json(const Checked& checked) {
     json["fusion"] = facts.fusion;
     json["solver"] = facts.solver;
   }
-  json["diagnostics"] = Json::array();
-  for (const Diagnostic& d : checked.diagnostics) {
-    const auto place = [](int n) { return n > 0 ? Json(n) : Json(); };
-    json["diagnostics"].push_back(
-        {{"severity", d.severity == Severity::error ? "error" : "warning"},
-         {"file", d.where.file},
-         {"line", place(d.where.line)},
-         {"column", place(d.where.column)},
-         {"message", d.message}});
-  }
+  json["diagnostics"] = diagnostics_json(checked.diagnostics);
   return json;
 }
 

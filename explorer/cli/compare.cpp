@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <regex>
 
@@ -59,6 +60,16 @@ std::filesystem::path numbered(const std::filesystem::path& file, std::size_t sc
   if (scene == 1) return file;
   return file.parent_path() / (file.stem().string() + "-" + std::to_string(scene + 1) +
                                file.extension().string());
+}
+
+/// Numbers over the volume where the samples are adaptive, and the difference at the
+/// samples.
+Comparison compared(const Field& first, const Field& second) {
+  Comparison c = compare_fields(first, second);
+  if (!first.spread) return c;
+  Comparison by_volume = compare_fields(*first.spread, *second.spread);
+  by_volume.difference = std::move(c.difference);
+  return by_volume;
 }
 
 Json to_json(const Comparison& c) {
@@ -184,6 +195,17 @@ void evaluate_alike(std::vector<LoadedScene>& sides) {
     if (side.system.covariance != CovarianceKind::single) side.system.fusion = *fusion;
 }
 
+/// Scenes of one name, a design and its optimum, are told apart by their files.
+void name_apart(const std::vector<std::string>& sides,
+                std::vector<LoadedScene>& scenes) {
+  std::map<std::string, int> count;
+  for (const LoadedScene& loaded : scenes) ++count[loaded.scene.name];
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (count[scenes[i].scene.name] < 2) continue;
+    scenes[i].scene.name += " (" + side_of(sides[i]).file.filename().string() + ")";
+  }
+}
+
 std::vector<LoadedScene> load_sides(const CompareCommand& command,
                                     PluginRegistry& plugins) {
   std::vector<LoadedScene> scenes;
@@ -198,6 +220,7 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
       scenes.back().scene.name += " + " + change;
     }
   }
+  name_apart(command.scenes, scenes);
   if (!asked) evaluate_alike(scenes);
   const Metric& metric = scenes.front().metric;
   for (std::size_t i = 1; i < scenes.size(); ++i) {
@@ -253,6 +276,12 @@ int run(const CompareCommand& command) {
     } else {
       field = evaluate(scene, samples, command.options, interrupt);
       field.weight = rows.front().field.weight;
+      if (const auto& spread = rows.front().field.spread; spread && !field.cancelled) {
+        Field same = evaluate(scene, spread->samples, command.options, interrupt);
+        same.weight = spread->weight;
+        field.cancelled = same.cancelled;
+        field.spread = std::make_shared<const Field>(std::move(same));
+      }
     }
     if (field.cancelled) {
       std::cerr
@@ -261,12 +290,16 @@ int run(const CompareCommand& command) {
     }
     rows.push_back(row_of(std::move(field), scene, better, command, interrupt));
     if (rows.size() == 1) continue;
-    comparisons.push_back(compare_fields(rows.front().field, rows.back().field));
+    comparisons.push_back(compared(rows.front().field, rows.back().field));
   }
+  PictureOptions picture;
+  picture.larger_is_better = metric.larger_is_better;
+  picture.change = true;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    picture.devices = markers_of(scenes[i + 1].scene, scenes[i + 1].system);
     for (const auto& file : command.out) {
       const std::string problem =
-          write_field(comparisons[i].difference, numbered(file, i + 1));
+          write_field(comparisons[i].difference, numbered(file, i + 1), picture);
       if (!problem.empty()) throw Failure{kDiagnostics, problem};
     }
   }

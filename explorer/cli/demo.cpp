@@ -45,7 +45,8 @@ int run(const SceneOptions& options, const std::filesystem::path& out) {
   const Samples samples = make_samples(loaded.scene.samples);
   const Interrupt interrupt;
   const Field field = evaluate(loaded, samples, options, interrupt);
-  const PictureOptions picture{.larger_is_better = loaded.metric.larger_is_better};
+  const PictureOptions picture{.larger_is_better = loaded.metric.larger_is_better,
+                               .devices = markers_of(loaded.scene, loaded.system)};
   if (const std::string problem = write_field(field, out, picture); !problem.empty()) {
     throw Failure{kDiagnostics, problem};
   }

@@ -13,6 +13,7 @@
 #include "json.h"
 #include "specs.h"
 #include "summary.h"
+#include "warnings.h"
 
 namespace delos::cli {
 namespace {
@@ -71,6 +72,7 @@ int run(const FieldCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   const std::vector<Spec> specs = specs_of(command.specs, loaded);
+  const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
   const Samples samples = planned_samples(loaded.scene);
   for (const auto& file : command.out) {
     const std::string problem = drawable(loaded.scene, samples, file);
@@ -81,6 +83,7 @@ int run(const FieldCommand& command) {
   PictureOptions picture;
   picture.log10 = command.log10;
   picture.larger_is_better = loaded.metric.larger_is_better;
+  picture.devices = markers_of(loaded.scene, loaded.system);
   if (!command.slice.empty()) {
     const auto z = parse_quantity(command.slice, "m");
     if (const auto* problem = std::get_if<std::string>(&z)) {
@@ -108,13 +111,12 @@ int run(const FieldCommand& command) {
       command.verify ? verify(loaded, command.options, interrupt) : Verification{};
   const std::vector<MetSpec> met =
       met_specs(specs, loaded, field, command.options, interrupt);
-  if (command.options.json && (command.verify || !met.empty())) {
+  if (command.options.json) {
     Json json = Json::parse(field_json(field));
+    if (!warnings.empty()) json["warnings"] = diagnostics_json(warnings);
     if (!met.empty()) json["specs"] = specs_json(met);
     if (command.verify) json["verification"] = to_json(verification);
     print_document(json);
-  } else if (command.options.json) {
-    std::cout << field_json(field);
   } else {
     print_summary(std::cout, loaded, field);
     print_specs(std::cout, met);

@@ -9,6 +9,7 @@
 #include "delos/output/write.h"
 #include "evaluation.h"
 #include "search_report.h"
+#include "warnings.h"
 
 namespace delos::cli {
 namespace {
@@ -45,6 +46,7 @@ void write_fields(const std::vector<std::filesystem::path>& files,
   std::optional<Evaluation> evaluation;
   PictureOptions picture;
   picture.larger_is_better = loaded.metric.larger_is_better;
+  picture.devices = markers_of(loaded.scene, loaded.system);
   for (const auto& file : files) {
     std::string problem;
     if (is_scene(file)) {
@@ -72,6 +74,7 @@ int run(OptimizeCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   LoadedScene loaded = load(command.scene, command.options, plugins);
   check_outputs(command, loaded.scene);
+  const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
 
   const Interrupt interrupt;
   SearchLine line(loaded.scene);
@@ -92,7 +95,8 @@ int run(OptimizeCommand& command) {
         result = search(command, loaded.scene, plugins);
         return *result;
       },
-      line, command.scene, command.study, plugins, command.options.json, explain);
+      line, command.scene, command.study, plugins, command.options.json, explain,
+      warnings);
 
   const std::filesystem::path folder = command.scene.parent_path();
   write_fields(command.before, loaded, command.options, folder, interrupt);

@@ -156,7 +156,7 @@ std::string scene_report(const ReportCommand& command, PluginRegistry& plugins,
   r.larger_is_better = loaded.metric.larger_is_better;
   r.devices = device_rows(loaded, all.field, command.options, interrupt);
   r.blind = blind_regions(loaded.system, loaded.scene.orientations, all.field);
-  r.markers = report::markers_of(loaded.scene, loaded.system);
+  r.markers = markers_of(loaded.scene, loaded.system);
   r.plugins = plugin_versions(loaded.scene, plugins);
   r.version = DELOS_VERSION;
   r.field = std::move(all.field);
@@ -278,8 +278,8 @@ std::string study_report(const ReportCommand& command, PluginRegistry& plugins,
   Shown was = shown(before, nullptr, command.options, interrupt);
   Shown is = shown(after, &was.field, command.options, interrupt);
   r.larger_is_better = after.metric.larger_is_better;
-  r.were = report::markers_of(before.scene, before.system);
-  r.are = report::markers_of(after.scene, after.system);
+  r.were = markers_of(before.scene, before.system);
+  r.are = markers_of(after.scene, after.system);
   r.field_before = std::move(was.field);
   r.field_after = std::move(is.field);
   r.views_before = std::move(was.views);

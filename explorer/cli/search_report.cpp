@@ -9,6 +9,7 @@
 #include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "summary.h"
+#include "warnings.h"
 
 namespace delos::cli {
 namespace {
@@ -225,7 +226,8 @@ int finish_search(const std::function<OptimizeResult()>& search, SearchLine& lin
                   const std::filesystem::path& about,
                   const std::filesystem::path& study, PluginRegistry& plugins,
                   bool json,
-                  const std::function<Answers(const OptimizeResult&)>& explain) {
+                  const std::function<Answers(const OptimizeResult&)>& explain,
+                  const Diagnostics& warnings) {
   OptimizeResult result;
   try {
     result = search();
@@ -245,6 +247,7 @@ int finish_search(const std::function<OptimizeResult()>& search, SearchLine& lin
     Json document = search_json(result, plugins);
     document["study"] = study.empty() ? Json() : Json(study.string());
     if (answers) document["answers"] = answers_json(*answers);
+    if (!warnings.empty()) document["warnings"] = diagnostics_json(warnings);
     print_document(document);
   } else {
     print_search(std::cout, result, plugins);

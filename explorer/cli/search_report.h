@@ -51,12 +51,14 @@ class SearchLine {
 /// @param about   what a refusal is about: the scene, or the study
 /// @param study   the file that keeps the search; empty: none
 /// @param explain what the result depends on, or empty
+/// @param warnings about the scene, for the JSON document
 /// @returns the exit code
 /// @throws Failure kDiagnostics
 int finish_search(const std::function<OptimizeResult()>& search, SearchLine& line,
                   const std::filesystem::path& about,
                   const std::filesystem::path& study, PluginRegistry& plugins,
                   bool json,
-                  const std::function<Answers(const OptimizeResult&)>& explain = {});
+                  const std::function<Answers(const OptimizeResult&)>& explain = {},
+                  const Diagnostics& warnings = {});
 
 }  // namespace delos::cli

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <ostream>
-#include <sstream>
 
 #include "delos/observe/beacon_use.h"
 #include "delos/text/format.h"
@@ -11,6 +10,32 @@
 
 namespace delos::cli {
 namespace {
+
+/// "18.2 ± 0.3 %"
+std::string part_text(double part, double error) {
+  return format_quantity(100 * part, "1") + " ± " +
+         format_quantity(100 * error, "1", 2) + " %";
+}
+
+/// How much is observable: samples, or parts of a volume.
+std::string counts_text(const FieldStatistics& s) {
+  std::string text = counted(s.samples, "sample");
+  const std::string inside =
+      s.inside > 0 ? "; " + std::to_string(s.inside) + " inside solids left out" : "";
+  if (s.volume) {
+    const VolumeStatistics& v = *s.volume;
+    text += " of an octree" + inside + "\n" +
+            part_text(v.observable, v.observable_error) + " of the volume observable";
+    if (v.one_short > 0)
+      text += ", " + part_text(v.one_short, v.one_short_error) +
+              " one direction short of it";
+    return text;
+  }
+  text += ", " + std::to_string(s.observable) + " observable";
+  if (s.one_short > 0)
+    text += ", " + std::to_string(s.one_short) + " one direction short of it";
+  return text + inside;
+}
 
 /// What keeps devices on the target from seeing anything.
 std::vector<std::string> why_blind(const LoadedScene& loaded, const Field& field) {
@@ -34,26 +59,34 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   out << loaded.scene.name << "\n"
       << field.metric << " of the " << to_string(field.definition) << ", "
       << counted(loaded.system.devices.size(), "device") << "\n"
-      << counted(s.samples, "sample") << ", " << s.observable << " observable";
-  if (s.one_short > 0) out << ", " << s.one_short << " one direction short of it";
-  if (s.inside > 0) out << "; " << s.inside << " inside solids left out";
-  out << "\n";
+      << counts_text(s) << "\n";
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";
     for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";
     return;
   }
+  const auto error = [&](double VolumeStatistics::*of) {
+    return s.volume ? " ± " + format_quantity((*s.volume).*of, field.unit, 2) : "";
+  };
   const Extreme &best = s.best(), &worst = s.worst();
   out << "  best    " << value(best.value) << "  at " << coordinates(best.at) << " m\n"
-      << "  mean    " << value(s.mean) << "\n"
-      << "  median  " << value(s.median) << "\n"
-      << "  95 %    " << value(s.p95) << "\n"
+      << "  mean    " << value(s.mean) << error(&VolumeStatistics::mean_error) << "\n"
+      << "  median  " << value(s.median) << error(&VolumeStatistics::median_error)
+      << "\n"
+      << "  95 %    " << value(s.p95) << error(&VolumeStatistics::p95_error) << "\n"
       << "  worst   " << value(worst.value) << "  at " << coordinates(worst.at)
       << " m\n";
+  if (s.volume) {
+    out << "over " << counted(s.volume->points, "point")
+        << " of the volume, ± with 95 % confidence; at most "
+        << format_quantity(100 * s.volume->beyond, "1", 2)
+        << " % of it is beyond best or worst\n";
+  }
   if (field.discretization_error) {
-    out << "  between the nodes, 95 % of the volume is within " << std::setprecision(2)
-        << 100 * *field.discretization_error << " %\n";
+    out << "pictures and files read the octree: between its nodes it is within "
+        << format_quantity(100 * *field.discretization_error, "1", 2)
+        << " % over 95 % of the volume\n";
   }
   if (field.unit == "m" || field.unit == "rad") {
     out << "This is scatter: a bias that the scene doesn't model comes on top.\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "delos/output/ticks.h"
 #include "delos/text/format.h"
@@ -121,20 +122,6 @@ Html marker(const Marker& m, const Frame& f, int across, int up, bool named) {
 }
 
 }  // namespace
-
-std::vector<Marker> markers_of(const Scene& scene, const System& system) {
-  std::vector<Marker> markers;
-  for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    const PlacedDevice& device = system.devices[i];
-    if (device.carried()) continue;
-    const DeviceEntry& entry = scene.devices[i];
-    const bool faces = entry.mounting ||
-                       !std::holds_alternative<std::monostate>(entry.placement.facing);
-    markers.push_back({device.name, device.X_WS().p, std::nullopt});
-    if (faces) markers.back().faces = device.X_WS().R.col(2);
-  }
-  return markers;
-}
 
 Html map_figure(const FieldMap& map, const std::vector<Marker>& markers,
                 const std::vector<Marker>& around, const std::string& says,

@@ -1,28 +1,15 @@
 // Maps of fields with their devices.
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "delos/field/field.h"
 #include "delos/output/map.h"
-#include "delos/rig/system.h"
+#include "delos/output/marker.h"
 #include "report/html.h"
 
 namespace delos::report {
-
-/// A device as a map shows it.
-struct Marker {
-  std::string name;
-  Eigen::Vector3d p;                     ///< world, metres
-  std::optional<Eigen::Vector3d> faces;  ///< where it looks; nullopt: all around
-};
-
-/// The devices that stand in the world. Those that are placed without a direction look
-/// all around.
-[[nodiscard]] std::vector<Marker> markers_of(const Scene& scene, const System& system);
 
 /// A map, its axes, and the markers that are near it.
 /// @param around what the drawing has room for besides; maps side by side have the same

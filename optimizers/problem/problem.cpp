@@ -118,7 +118,7 @@ Field Problem::State::octree(AdaptiveSampling box) {
   box.seconds.reset();  // the same octree at any speed
   AdaptiveOptions adaptive;
   adaptive.field.threads = options.threads;
-  adaptive.held_back = 0;
+  adaptive.held_back = adaptive.spread = 0;
   return evaluate_adaptive(nominal.system, box, scene().orientations, metric, adaptive)
       .field();
 }

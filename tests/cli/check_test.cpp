@@ -8,7 +8,8 @@
 namespace delos::test {
 namespace {
 
-/// Counts from the scenes themselves: 11·11·21, 41·41·41 and 24·39·11 samples.
+/// Counts from the scenes themselves: 21·21·58, 11·11·21, 41·41·41 and 24·39·11
+/// samples.
 TEST(CheckCommand, FindsTheScenesInOrder) {
   const Finished done =
       run({"check", scene("01-acoustic"), scene("02-eight-cameras"), scene("03-hybrid"),
@@ -19,7 +20,7 @@ TEST(CheckCommand, FindsTheScenesInOrder) {
   EXPECT_EQ(
       done.out,
       scene("01-acoustic") + order +
-          "4 devices, 2541 samples, 6 states, stacked fusion, solver spectral\n" +
+          "4 devices, 25578 samples, 6 states, stacked fusion, solver spectral\n" +
           scene("02-eight-cameras") + order +
           "8 devices, 2541 samples, 6 states, stacked fusion, solver spectral\n" +
           scene("03-hybrid") + order +
@@ -86,7 +87,7 @@ TEST(CheckCommand, WarnsAndIsContent) {
   EXPECT_EQ(document[0]["scene"], "room.yaml");
   EXPECT_EQ(document[0]["in_order"], true);
   EXPECT_EQ(document[0]["devices"], 4);
-  EXPECT_EQ(document[0]["samples"], 2541);
+  EXPECT_EQ(document[0]["samples"], 25578);
   ASSERT_EQ(document[0]["diagnostics"].size(), 1u);
   const Json& d = document[0]["diagnostics"][0];
   EXPECT_EQ(d["severity"], "warning");

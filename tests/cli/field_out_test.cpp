@@ -32,9 +32,9 @@ TEST(FieldOut, KeepsStdoutForTheDocument) {
   const Folder folder;
   const Finished done =
       run({"field", scene("01-acoustic"), "--json", "--out", "f.csv"}, folder.path());
-  EXPECT_EQ(done.json()["samples"], 2541);
+  EXPECT_EQ(done.json()["samples"], 25578);
   const std::string table = read_file(folder.path() / "f.csv");
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2541);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 25578);
 }
 
 /// The .json file is the contract's document with the samples.

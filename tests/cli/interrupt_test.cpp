@@ -12,8 +12,8 @@
 namespace delos::test {
 namespace {
 
-/// 51·51·101 samples of a slow solver on one thread: ten seconds or more.
-constexpr int kSamples = 51 * 51 * 101;
+/// 51·51·143 samples of a slow solver on one thread: ten seconds or more.
+constexpr int kSamples = 51 * 51 * 143;
 
 std::vector<std::string> slow(const std::string& command) {
   std::vector<std::string> words = {command, scene("01-acoustic")};

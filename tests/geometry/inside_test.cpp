@@ -35,6 +35,23 @@ std::vector<Vector3d> points(int count, double reach) {
   return result;
 }
 
+/// A hollow box hides as a full one, has no inside, and leaves a solid beside it alone.
+TEST(Inside, OfAHollowBoxIsNothing) {
+  const TriangleMesh room = make_box({-2, -2, -2}, {2, 2, 2}),
+                     cupboard = make_box({1, 1, 1}, {1.5, 1.5, 1.5});
+  const Occluders solid({room, cupboard}), hollow({room, cupboard}, {true, false});
+  const Vector3d middle(0.1, 0.2, 0.3), shelf(1.2, 1.2, 1.2), outside(3, 0.1, 0.2);
+  EXPECT_TRUE(solid.contains(middle));
+  EXPECT_FALSE(hollow.contains(middle));
+  EXPECT_TRUE(hollow.contains(shelf));
+  EXPECT_FALSE(hollow.contains(outside));
+  EXPECT_TRUE(hollow.blocks(middle, outside, 1e-3));
+  EXPECT_FALSE(hollow.blocks(middle, {0.5, 0.5, 0.5}, 1e-3));
+  // Seen from inside, a box of points within is clear, one without hidden.
+  EXPECT_FALSE(hollow.hides(middle, {Vector3d(-1, -1, -1), Vector3d(0, 0, 0)}, 1e-3));
+  EXPECT_TRUE(hollow.hides(middle, {Vector3d(3, 0, 0), Vector3d(4, 1, 1)}, 1e-3));
+}
+
 TEST(Inside, OfABoxIsItsInequalities) {
   const Vector3d half(1, 0.5, 0.25);
   for (const TriangleMesh& box :

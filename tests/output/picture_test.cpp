@@ -273,6 +273,52 @@ TEST(PictureFile, DrawsWhatACancelledEvaluationReached) {
   EXPECT_TRUE(picture.sample(4, 9, 4, 5).grey());
 }
 
+/// The red of a device, #b3172b.
+bool device_red(const Pixel& p) { return p.r > 150 && p.g < 60 && p.b < 80; }
+
+int count_red(const Picture& picture) {
+  int n = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) n += device_red(picture.at(x, y));
+  return n;
+}
+
+/// A device half a metre to the right of the ramp, that looks to the left, and one too
+/// far away. The first is a disc of 64 pixels and a line of 2.5 × 22, of which the disc
+/// covers a fifth.
+TEST(PictureFile, ShowsTheDevicesThatAreNear) {
+  EXPECT_EQ(count_red(Picture(ramp())), 0);
+  PictureOptions options;
+  options.devices = {{"cam", {1.5, 0.25, 2}, Eigen::Vector3d(-1, 0, 0)},
+                     {"far", {20, 0.25, 2}, std::nullopt}};
+  const Picture one(ramp(), options);
+  EXPECT_NEAR(count_red(one), 64 + 44, 25);
+  options.devices.pop_back();
+  EXPECT_EQ(count_red(one), count_red(Picture(ramp(), options)));
+  options.devices.push_back({"near", {-0.5, 0.25, 2}, std::nullopt});
+  EXPECT_NEAR(count_red(Picture(ramp(), options)), 2 * 64 + 44, 40);
+}
+
+/// Changes from −1 to 2: blue at −2, which none reaches, white at 0, red at 2.
+TEST(PictureFile, ShowsChangesAboutZero) {
+  Field field = ramp();
+  for (std::size_t i = 0; i < field.value.size(); ++i)
+    field.value[i] = 3 * field.samples.points[i].x() - 1;
+  PictureOptions options;
+  options.change = true;
+  Picture picture(field, options);
+  picture.find_plot();
+  const auto reddish = [](const Pixel& p) { return p.r - p.b; };
+  // x = 1/4: −0.25; x = 3/8: 0.125, nearly white; x = 3/4: 1.25.
+  EXPECT_LT(reddish(picture.sample(1, 9, 2, 5)), -20);
+  EXPECT_LT(std::abs(reddish(picture.sample(3, 9, 2, 5))), 30);
+  EXPECT_GT(reddish(picture.sample(6, 9, 2, 5)), 60);
+  options.larger_is_better = true;
+  Picture turned(field, options);
+  turned.find_plot();
+  EXPECT_LT(reddish(turned.sample(6, 9, 2, 5)), -60);
+}
+
 TEST(PictureFile, SurvivesAnyName) {
   Field field = ramp();
   field.scene = std::string(500, 'W') + "\xff\x01<é";

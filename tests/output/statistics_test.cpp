@@ -56,6 +56,28 @@ TEST(Statistics, KnowWhichWayIsBetter) {
   EXPECT_EQ(s.min.value, 1);
 }
 
+// By hand, two boxes of 2 m³ with two points each: the mean of 1, 3 and 5, 7 is 4; what
+// is left of it, −3, −1 and 1, 3, differs by 2 within both boxes, so that its variance
+// is (2² + 2²)/4². Three of four are observable; the parts' error is at least three
+// points of four, which is what may have been missed.
+TEST(Statistics, OfAVolumeHaveErrors) {
+  Field points = scattered({1, 3, 5, 7});
+  points.weight = {1, 1, 1, 1};
+  points.observable = {1, 0, 1, 1};
+  Field field = scattered({2, 9});
+  field.spread = std::make_shared<const Field>(points);
+  const FieldStatistics s = summarize(field);
+  ASSERT_TRUE(s.volume.has_value());
+  EXPECT_EQ(s.samples, 2u);
+  EXPECT_EQ(s.mean, 4);
+  EXPECT_EQ(s.min.value, 1);
+  EXPECT_EQ(s.max.value, 9);
+  EXPECT_NEAR(s.volume->mean_error, 1.959964 * std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(s.volume->observable, 0.75);
+  EXPECT_EQ(s.volume->observable_error, 0.75);
+  EXPECT_EQ(s.volume->points, 4u);
+}
+
 TEST(Statistics, NamesTheFirstOfEqualExtremes) {
   const FieldStatistics s = summarize(scattered({2, 1, 3, 1, 3}));
   EXPECT_EQ(s.min.at.x(), 1);

@@ -72,6 +72,10 @@ def camera(at, axes, lens, near, far, noise):
 
 
 def acoustic():
+    return [(speaker((x, y, 1.2141), 0.005), 50) for x in (-0.07, 0.47) for y in (-0.07, 0.47)]
+
+
+def above_corners():
     return [(speaker((x, y, 1.0485), 0.005), 50) for x in (0, 0.4) for y in (0, 0.4)]
 
 
@@ -159,12 +163,13 @@ def eigmax(devices, p, continuous):
 
 SMALL = ((0, 0, 0), (0.4, 0.4, 0.8))
 SCENES = [
-    ("01-acoustic", acoustic(), False, SMALL, 1,
-     [(0, 0, 0), (0.4, 0.4, 0), (0.2, 0.2, 0.8), (0.2, 0.2, 0.4), (0, 0.4, 0.8)]),
+    ("01-acoustic", acoustic(), False, ((0, 0, 0), (0.4, 0.4, 1.14)), 1,
+     [(0, 0, 0), (0.4, 0.4, 0), (0.2, 0.2, 1.0), (0.2, 0.2, 1.02), (0.2, 0.2, 1.04),
+      (0.2, 0.2, 1.06), (0.2, 0.2, 1.14), (0.2, 0.2, 0.4), (0, 0.4, 1.14)]),
     ("02-eight-cameras", rig(), False, SMALL, 1,
      [(0.2, 0.2, 0.24), (0, 0, 0), (0.4, 0, 0), (0.2, 0, 0.48), (0, 0, 0.68), (0.4, 0.4, 0.68),
       (0.2, 0.2, 0.68), (0, 0, 0.72), (0.2, 0.2, 0.28)]),
-    ("03-hybrid", acoustic() + rig(), True, SMALL, 1,
+    ("03-hybrid", above_corners() + rig(), True, SMALL, 1,
      [(0, 0, 0.68), (0.4, 0.4, 0.68), (0.04, 0, 0.64), (0.2, 0.2, 0.8), (0.2, 0.2, 0.24),
       (0.2, 0, 0.04), (0, 0, 0)]),
     ("04-motion-capture", capture(), False, ((0, 0, 0), (20, 20, 8)), FOOT,

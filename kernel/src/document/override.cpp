@@ -169,6 +169,13 @@ void replace_value(Node& root, const std::string& path, Node value, Mark where,
   if (Node* node = Walk(path, where, findings).find(root)) *node = std::move(value);
 }
 
+std::optional<Mark> mark_at(Node root, const std::string& path) {
+  constexpr int kAdded = -1;
+  Findings ignored;
+  const Node* node = Walk(path, {kAdded, 0, 0}, ignored).find(root);
+  return node && node->mark.source != kAdded ? std::optional(node->mark) : std::nullopt;
+}
+
 void apply_override(Node& root, const Override& change, Findings& findings) {
   const int source = findings.add_source("--set " + change.path);
   auto value = parse_yaml(change.value, source, false, findings);

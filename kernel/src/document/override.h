@@ -1,6 +1,7 @@
 // Changes single values of a scene's tree by path, before the scene is checked.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "delos/document/override.h"
@@ -22,5 +23,8 @@ void replace_value(Node& root, const std::string& path, Node value, Mark where,
 
 /// The same with a value in YAML; findings are located as "--set PATH".
 void apply_override(Node& root, const Override& change, Findings& findings);
+
+/// Where the value at a path is; nullopt where the text has none.
+[[nodiscard]] std::optional<Mark> mark_at(Node root, const std::string& path);
 
 }  // namespace delos

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "delos/text/units.h"
 #include "text/nearest.h"
@@ -72,6 +73,16 @@ std::optional<double> Reader::number(const Place& at, std::string_view unit) {
   return std::nullopt;
 }
 
+std::optional<double> Reader::angle(const Place& at) {
+  const auto value = number(at, "rad");
+  const std::string& text = at.node().text;
+  const bool bare = scan_number(text).length == text.size();
+  if (value && bare && std::abs(*value) > 2 * std::numbers::pi)
+    warning(at, "is in radians, and more than a full turn; do you mean '" + text +
+                    " deg'?");
+  return value;
+}
+
 std::optional<int> Reader::integer(const Place& at, int least, int greatest) {
   if (!expect(at, Node::Kind::scalar, "a whole number")) return std::nullopt;
   const std::string& text = at.node().text;
@@ -133,7 +144,8 @@ std::optional<Eigen::Vector3d> Reader::vector3(
   Eigen::Vector3d vector;
   bool good = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto value = number(Place(at, components[i], items[i]), unit);
+    const Place item(at, components[i], items[i]);
+    const auto value = unit == "rad" ? angle(item) : number(item, unit);
     if (value) vector[static_cast<Eigen::Index>(i)] = *value;
     good = good && value;
   }

@@ -68,6 +68,9 @@ struct Reader {
   bool expect(const Place& at, Node::Kind kind, std::string_view what);
 
   std::optional<double> number(const Place& at, std::string_view unit);
+  /// The same of an angle. Radians without a unit of more than a full turn are what
+  /// degrees look like: a warning.
+  std::optional<double> angle(const Place& at);
   std::optional<int> integer(const Place& at, int least, int greatest);
   std::optional<std::string> word(const Place& at);
   /// A word that isn't part of a path's syntax: names of devices, groups, samples.

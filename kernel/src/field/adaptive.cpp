@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "field/adaptive_state.h"
+#include "field/volume_points.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -124,6 +125,42 @@ double AdaptiveField::State::held_back_error() {
   return off[at];
 }
 
+/// Whether the edge of a view, a shadow or a solid may cross a cell.
+bool AdaptiveField::State::has_edge(Octree::Index cell) const {
+  for (std::size_t t = 0; t < turns.size(); ++t) {
+    for (std::size_t s = 0; s < sightings.all.size(); ++s) {
+      if (views.at(cell, t, s).view == View::crossing || views.in_doubt(cell, t, s))
+        return true;
+    }
+  }
+  const Eigen::AlignedBox3d box = tree.box_of(cell);
+  return system.in_world.triangles() > 0 &&
+         system.in_world.touches_shaft(box.center(), box);
+}
+
+/// Values for statistics over the volume; those of the nodes are denser where the field
+/// bends, and never refined along the edges of views.
+std::shared_ptr<const Field> AdaptiveField::State::spread_field() {
+  VolumePoints spread = volume_points(
+      tree, [this](Octree::Index c) { return has_edge(c); }, options.spread,
+      options.seed);
+  Samples samples;
+  samples.points = std::move(spread.points);
+  samples.parts.push_back({"", 0, samples.points.size(), ScatteredShape{}});
+  Field f = evaluate_field(system, samples, orientations, metric,
+                           {.solver = options.field.solver,
+                            .threads = threads,
+                            .cancel = options.field.cancel,
+                            .find_inside = false});
+  if (f.cancelled) return nullptr;
+  evaluations += f.evaluations;
+  f.weight = std::move(spread.weight);
+  if (system.in_world.triangles() > 0)
+    for (const Eigen::Vector3d& p : f.samples.points)
+      f.inside.push_back(inside_solid(system, p));
+  return std::make_shared<const Field>(std::move(f));
+}
+
 Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) const {
   std::vector<Query> queries;
   queries.reserve(samples.points.size());
@@ -155,7 +192,10 @@ void AdaptiveField::State::finish() {
   std::optional<double> off;
   if (options.held_back > 0 && !cancelled() && store.nodes() > 0)
     off = held_back_error();
+  std::shared_ptr<const Field> spread;
+  if (options.spread > 0 && !cancelled() && store.nodes() > 0) spread = spread_field();
   field = node_field();
+  field.spread = std::move(spread);
   field.discretization_error = off;
   field.cancelled = report.stop == AdaptiveStop::cancelled;
   report.nodes = store.nodes();

@@ -40,6 +40,8 @@ struct AdaptiveField::State {
   [[nodiscard]] std::vector<Octree::Index> mark();
   [[nodiscard]] Field node_field() const;
   [[nodiscard]] double held_back_error();
+  [[nodiscard]] bool has_edge(Octree::Index cell) const;
+  [[nodiscard]] std::shared_ptr<const Field> spread_field();
   [[nodiscard]] PlaceEvaluator evaluator() const {
     return {*solver, system, metric, orientations.combine, turns.size()};
   }

@@ -68,6 +68,7 @@ SpecShare share_meeting(const Field& field, const Spec& spec) {
     met += weight;
   }
   share.share = all > 0 ? met / all : 0;
+  if (field.spread) share.share = share_meeting(*field.spread, spec).share;
   return share;
 }
 

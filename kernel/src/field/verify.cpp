@@ -161,7 +161,7 @@ struct Verify {
       coarse.depth = std::max(1, adaptive.depth - coarser);
       AdaptiveOptions adaptive_options;
       adaptive_options.field = options;
-      adaptive_options.held_back = 0;
+      adaptive_options.held_back = adaptive_options.spread = 0;
       const AdaptiveField field =
           evaluate_adaptive(system, coarse, orientations, metric, adaptive_options);
       if (field.field().cancelled) return {};

@@ -30,6 +30,17 @@ void add_statistics(Json& json, const FieldStatistics& s) {
   json["mean"] = any ? Json(s.mean) : Json();
   json["median"] = any ? Json(s.median) : Json();
   json["p95"] = any ? Json(s.p95) : Json();
+  if (!s.volume) return;
+  const auto finite = [](double v) { return std::isfinite(v) ? Json(v) : Json(); };
+  json["volume"] = {{"observable", s.volume->observable},
+                    {"observable_error", s.volume->observable_error},
+                    {"one_short", s.volume->one_short},
+                    {"one_short_error", s.volume->one_short_error},
+                    {"mean_error", finite(s.volume->mean_error)},
+                    {"median_error", finite(s.volume->median_error)},
+                    {"p95_error", finite(s.volume->p95_error)},
+                    {"beyond", s.volume->beyond},
+                    {"points", s.volume->points}};
 }
 
 Json summary(const Field& field) {

@@ -68,24 +68,28 @@ void write_picture(const Field& field, const PictureOptions& options,
 
   // The texts say how much room they need, and only then the image has a size.
   Canvas ruler(1, 1);
-  const Box sketch = lay_out_picture(slice, {0, 0}).plot;
-  const ScaleText across = axis_text(ruler, slice, 0, sketch.width);
-  const ScaleText up = axis_text(ruler, slice, 1, sketch.height);
+  const PictureFrame frame = picture_frame(slice, options.devices);
+  const Box sketch = lay_out_picture(slice, frame, {0, 0}).plot;
+  const ScaleText across = axis_text(ruler, slice, frame, 0, sketch.width);
+  const ScaleText up = axis_text(ruler, slice, frame, 1, sketch.height);
   const ScaleText values =
-      bar_text(scale, field.metric, field.unit, shown, sketch.height);
+      bar_text(scale, (options.change ? "difference of " : "") + field.metric,
+               field.unit, shown, sketch.height);
   const PictureLayout layout = lay_out_picture(
-      slice, {widest(ruler, up) + 38, slice.best ? widest(ruler, values) + 34 : 0});
+      slice, frame,
+      {widest(ruler, up) + 38, slice.best ? widest(ruler, values) + 34 : 0});
 
   Canvas canvas(layout.width, layout.height);
   const double right = layout.width - kMargin;
-  draw_title(canvas, title_of(field, slice, shown.name));
+  draw_title(canvas, title_of(field, slice, shown.name, options));
   canvas.text(kMargin, 54, 0,
               canvas.fitted(subtitle(field, options), right - kMargin, kSmall), kSmall);
 
-  paint_cells(canvas, layout.plot, slice, scale);
-  draw_axes(canvas, layout.plot, slice, across, up);
+  paint_cells(canvas, layout.cells, slice, scale);
+  draw_axes(canvas, layout.plot, frame, across, up);
   if (slice.best) draw_colour_bar(canvas, layout.bar, scale, values);
-  draw_markers(canvas, layout.plot, slice, scale.flat(), field.unit);
+  draw_devices(canvas, layout.plot, frame);
+  draw_markers(canvas, layout.plot, layout.cells, slice, scale.flat(), field.unit);
 
   const double baseline = layout.height - 18;
   const double legend_end = draw_legend(canvas, kMargin, baseline, slice);

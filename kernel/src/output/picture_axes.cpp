@@ -23,16 +23,19 @@ void draw_frame(Canvas& canvas, const Box& box) {
 
 }  // namespace
 
-ScaleText axis_text(Canvas& canvas, const Slice& slice, int side, double pixels) {
-  const bool small = std::max(slice.axis[0].span(), slice.axis[1].span()) < 0.2;
+ScaleText axis_text(Canvas& canvas, const Slice& slice, const PictureFrame& frame,
+                    int side, double pixels) {
+  const bool small = std::max(frame.side[0].span, frame.side[1].span) < 0.2;
   const double factor = small ? 1000 : 1;
   const SliceAxis& axis = slice.axis[side];
   ScaleText text;
   text.name = with_unit(axis.name, small ? "mm" : "m");
 
   // The cell of a single sample is no range to measure in.
-  const double low = factor * (axis.count > 1 ? axis.low() : axis.first);
-  const double high = factor * (axis.count > 1 ? axis.low() + axis.span() : axis.first);
+  const FrameSide& shown = frame.side[side];
+  const bool range = axis.count > 1 || shown.span > axis.span();
+  const double low = factor * (range ? shown.low : axis.first);
+  const double high = factor * (range ? shown.low + shown.span : axis.first);
   for (int wanted = static_cast<int>(pixels / (side == 0 ? 70 : 55));; --wanted) {
     text.ticks = linear_ticks(low, high, wanted);
     // Side by side, numbers need their widths; one above the other, they always fit.
@@ -64,11 +67,11 @@ double widest(Canvas& canvas, const ScaleText& text) {
   return width;
 }
 
-void draw_axes(Canvas& canvas, const Box& plot, const Slice& slice,
+void draw_axes(Canvas& canvas, const Box& plot, const PictureFrame& frame,
                const ScaleText& across, const ScaleText& up) {
   draw_frame(canvas, plot);
   for (const Tick& tick : across.ticks) {
-    const double fraction = (tick.value - slice.axis[0].low()) / slice.axis[0].span();
+    const double fraction = frame.side[0].fraction_of(tick.value);
     const double x = std::round(plot.x + plot.width * fraction) + 0.5;
     canvas.line(x, plot.bottom() + 1, x, plot.bottom() + 5, kFrame);
     canvas.text(x, plot.bottom() + 20, 0.5, tick.label, kTickText);
@@ -76,7 +79,7 @@ void draw_axes(Canvas& canvas, const Box& plot, const Slice& slice,
   canvas.text(plot.x + plot.width / 2, plot.bottom() + 42, 0.5, across.name, kAxisText);
 
   for (const Tick& tick : up.ticks) {
-    const double fraction = (tick.value - slice.axis[1].low()) / slice.axis[1].span();
+    const double fraction = frame.side[1].fraction_of(tick.value);
     const double y = std::round(plot.bottom() - plot.height * fraction) - 0.5;
     canvas.line(plot.x - 5, y, plot.x - 1, y, kFrame);
     canvas.text(plot.x - 9, y + 4.5, 1, tick.label, kTickText);
@@ -98,7 +101,12 @@ void draw_colour_bar(Canvas& canvas, const Box& bar, const ColourScale& scale,
     canvas.line(bar.right() + 1, at, bar.right() + 4, at, kFrame);
     canvas.text(bar.right() + 8, at + 4, 0, tick.label, kTickText);
   }
-  const std::string full = text.name + ", bright is better";
+  if (scale.change && !scale.flat()) {
+    const double y = std::round(bar.bottom() - bar.height * scale.position(0)) + 0.5;
+    canvas.line(bar.x, y, bar.right(), y, kFrame, 2);
+  }
+  const std::string full =
+      text.name + (scale.change ? ", blue is better" : ", bright is better");
   const bool told = !scale.flat() && canvas.text_width(full, kAxisText) <= bar.height;
   canvas.text_upwards(bar.right() + widest(canvas, text) + 28, bar.y + bar.height / 2,
                       told ? full : text.name, kAxisText);

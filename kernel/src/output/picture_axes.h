@@ -7,6 +7,7 @@
 #include "delos/output/ticks.h"
 #include "delos/text/format.h"
 #include "output/canvas.h"
+#include "output/picture_frame.h"
 #include "output/shading.h"
 #include "output/slice.h"
 
@@ -20,8 +21,8 @@ struct ScaleText {
 
 /// Positions along an axis, in metres; in millimetres where the slice is small.
 /// @param pixels length of the axis
-[[nodiscard]] ScaleText axis_text(Canvas& canvas, const Slice& slice, int side,
-                                  double pixels);
+[[nodiscard]] ScaleText axis_text(Canvas& canvas, const Slice& slice,
+                                  const PictureFrame& frame, int side, double pixels);
 
 /// Values along a colour bar.
 /// @param unit the metric's SI unit; @param shown the unit of a linear scale's numbers
@@ -33,7 +34,7 @@ struct ScaleText {
 [[nodiscard]] double widest(Canvas& canvas, const ScaleText& text);
 
 /// The plot's frame with its two axes.
-void draw_axes(Canvas& canvas, const Box& plot, const Slice& slice,
+void draw_axes(Canvas& canvas, const Box& plot, const PictureFrame& frame,
                const ScaleText& across, const ScaleText& up);
 
 /// The colours with the values that they stand for.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "output/canvas.h"
+#include "output/picture_frame.h"
 #include "output/slice.h"
 
 namespace delos {
@@ -10,6 +11,7 @@ namespace delos {
 struct PictureLayout {
   int width, height;  ///< of the image
   Box plot, bar;
+  Box cells;      ///< what the slice fills of the plot
   bool to_scale;  ///< the same scale on both axes, or one of them is a single sample
 };
 
@@ -21,6 +23,8 @@ struct SideText {
 
 /// A plot with the slice's proportions in an image of at most about 900×700; a slice
 /// that is very long and thin is stretched until its marks can be read.
-[[nodiscard]] PictureLayout lay_out_picture(const Slice& slice, const SideText& text);
+[[nodiscard]] PictureLayout lay_out_picture(const Slice& slice,
+                                            const PictureFrame& frame,
+                                            const SideText& text);
 
 }  // namespace delos

@@ -84,21 +84,21 @@ void draw_sentence(Canvas& canvas, const Box& plot, const std::string& text) {
 
 }  // namespace
 
-void draw_markers(Canvas& canvas, const Box& plot, const Slice& slice, bool all_equal,
-                  const std::string& unit) {
+void draw_markers(Canvas& canvas, const Box& plot, const Box& cells, const Slice& slice,
+                  bool all_equal, const std::string& unit) {
   if (!slice.best) {
-    draw_sentence(canvas, plot, why_empty(slice));
+    draw_sentence(canvas, cells, why_empty(slice));
     return;
   }
   const ExtremeWords words = extreme_words(slice, unit);
   if (all_equal) {
     const bool everywhere = slice.finite == slice.value.size();
-    draw_sentence(canvas, plot,
+    draw_sentence(canvas, cells,
                   words.best + (everywhere ? " everywhere" : " wherever it is finite"));
     return;
   }
-  const Spot best = spot_of(plot, slice, *slice.best);
-  const Spot worst = spot_of(plot, slice, *slice.worst);
+  const Spot best = spot_of(cells, slice, *slice.best);
+  const Spot worst = spot_of(cells, slice, *slice.worst);
   draw_cross(canvas, worst);
   draw_ring(canvas, best);
   std::vector<Box> taken = {around(best), around(worst)};

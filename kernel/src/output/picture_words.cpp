@@ -17,8 +17,10 @@ std::string share_text(std::size_t part, std::size_t whole) {
   return with_decimals(share, 0) + " %";
 }
 
-Title title_of(const Field& field, const Slice& slice, const std::string& unit) {
-  Title title{one_line(field.scene), one_line(field.metric)};
+Title title_of(const Field& field, const Slice& slice, const std::string& unit,
+               const PictureOptions& options) {
+  Title title{one_line(field.scene),
+              (options.change ? "difference of " : "") + one_line(field.metric)};
   if (!unit.empty()) title.rest += " [" + unit + "]";
   if (!slice.place.empty()) title.rest += ", " + slice.place;
   return title;
@@ -27,6 +29,11 @@ Title title_of(const Field& field, const Slice& slice, const std::string& unit) 
 std::string subtitle(const Field& field, const PictureOptions& options) {
   const FieldStatistics s = options.whole.value_or(summarize(field));
   std::string text;
+  if (options.change && s.finite > 0)
+    return "Whole field: " + format_quantity(s.min.value, field.unit) + " to " +
+           format_quantity(s.max.value, field.unit) + ", median " +
+           format_quantity(s.median, field.unit) + "; both have a value at " +
+           share_text(s.finite, s.samples) + " of " + grouped(s.samples) + " samples";
   if (s.finite > 0) {
     text = "Whole field: median " + format_quantity(s.median, field.unit) +
            (s.larger_is_better ? ", 95 % at least " : ", 95 % up to ") +
@@ -34,8 +41,12 @@ std::string subtitle(const Field& field, const PictureOptions& options) {
   } else {
     text = "Whole field: ";
   }
-  text += share_text(s.observable, s.samples) + " of " + grouped(s.samples) +
-          (s.samples == 1 ? " sample observable" : " samples observable");
+  if (s.volume)
+    text +=
+        with_decimals(100 * s.volume->observable, 1) + " % of the volume observable";
+  else
+    text += share_text(s.observable, s.samples) + " of " + grouped(s.samples) +
+            (s.samples == 1 ? " sample observable" : " samples observable");
   if (field.cancelled)
     text += "; cancelled after " + grouped(field.evaluated) + " samples";
   return text;

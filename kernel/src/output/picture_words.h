@@ -18,7 +18,7 @@ struct Title {
   std::string rest;   ///< "metric [unit], z = 0.24 m"
 };
 [[nodiscard]] Title title_of(const Field& field, const Slice& slice,
-                             const std::string& unit);
+                             const std::string& unit, const PictureOptions& options);
 
 /// The whole field in a line: median, 95th percentile, share observable.
 [[nodiscard]] std::string subtitle(const Field& field, const PictureOptions& options);

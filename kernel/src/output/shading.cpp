@@ -27,13 +27,16 @@ ColourScale make_scale(const Slice& slice, const PictureOptions& options) {
     }
     return any;
   };
-  scale.log10 = options.log10 && widen(true);
+  scale.change = options.change;
+  scale.log10 = options.log10 && !options.change && widen(true);
   if (!scale.log10) widen(false);
 
   // Differences in the last digits are rounding, and colours would make them a
   // landscape.
   const double size = std::max(std::abs(scale.low), std::abs(scale.high));
   if (scale.high - scale.low <= 1e-12 * size) scale.high = scale.low;
+  // No change is in the middle.
+  if (scale.change && size > 0) scale = {-size, size, false, scale.bright_high, true};
   return scale;
 }
 

@@ -58,7 +58,7 @@ std::string shade_of_ink(double brightness) {
 /// What is shown and what the colours mean: the low value, the scale, the high one.
 std::string legend(const Field& field, const Slice& slice, const ColourScale& scale,
                    bool colour) {
-  std::string text = title_of(field, slice, "").rest + "\n";
+  std::string text = title_of(field, slice, "", {}).rest + "\n";
   if (!slice.best) return text + why_empty(slice) + "\n";
   const ExtremeWords words = extreme_words(slice, field.unit);
   if (scale.flat()) {

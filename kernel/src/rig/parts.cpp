@@ -4,12 +4,15 @@
 
 namespace delos {
 
+TriangleMesh placed_mesh(const OccluderEntry& entry) {
+  return transformed(body_mesh(entry.body), pose_of(entry.placement));
+}
+
 std::vector<TriangleMesh> placed_bodies(const std::vector<OccluderEntry>& occluders,
                                         Mount mount) {
   std::vector<TriangleMesh> bodies;
   for (const OccluderEntry& entry : occluders) {
-    if (entry.mount != mount) continue;
-    bodies.push_back(transformed(body_mesh(entry.body), pose_of(entry.placement)));
+    if (entry.mount == mount) bodies.push_back(placed_mesh(entry));
   }
   return bodies;
 }

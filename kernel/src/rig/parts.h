@@ -9,6 +9,9 @@
 
 namespace delos {
 
+/// The mesh of a body where it stands, in W or in the target's frame T.
+[[nodiscard]] TriangleMesh placed_mesh(const OccluderEntry& entry);
+
 /// The meshes of all bodies of one mount, in W or in the target's frame T.
 [[nodiscard]] std::vector<TriangleMesh> placed_bodies(
     const std::vector<OccluderEntry>& occluders, Mount mount);

@@ -56,20 +56,23 @@ bool inside_solid(const System& system, const Eigen::Vector3d& p) {
   return system.in_world.triangles() > 0 && system.in_world.contains(p);
 }
 
+bool deep_inside_solid(const System& system, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d skin = Eigen::Vector3d::Constant(system.skin);
+  // The shaft from a point to a box around it is that box.
+  return inside_solid(system, p) &&
+         !system.in_world.touches_shaft(p, {p - skin, p + skin});
+}
+
 std::vector<unsigned char> inside_solids(const System& system, const Samples& samples) {
   std::vector<unsigned char> inside;
   if (system.in_world.triangles() == 0) return inside;
-  const Eigen::Vector3d skin = Eigen::Vector3d::Constant(system.skin);
   inside.reserve(samples.points.size());
   for (const SamplePart& part : samples.parts) {
     const bool chosen = std::holds_alternative<ScatteredShape>(part.shape) ||
                         std::holds_alternative<SurfaceShape>(part.shape);
     for (std::size_t i = part.first; i < part.first + part.count; ++i) {
       const Eigen::Vector3d& p = samples.points[i];
-      // The shaft from a point to a box around it is that box.
-      const bool on_surface =
-          chosen && system.in_world.touches_shaft(p, {p - skin, p + skin});
-      inside.push_back(!on_surface && system.in_world.contains(p));
+      inside.push_back(chosen ? deep_inside_solid(system, p) : inside_solid(system, p));
     }
   }
   return inside;

@@ -41,9 +41,13 @@ enum class Sight : std::uint8_t {
 /// Whether a point is inside a solid of the world, or on its surface.
 [[nodiscard]] bool inside_solid(const System& system, const Eigen::Vector3d& p);
 
-/// The same of samples; empty where nothing is solid. Points that somebody chose, and
-/// those of a mesh, may be markers on a body: within the skin of a surface they aren't
-/// inside.
+/// Whether it is inside and farther than the skin from every surface: what may be a
+/// marker on a body isn't.
+[[nodiscard]] bool deep_inside_solid(const System& system, const Eigen::Vector3d& p);
+
+/// Whether samples are inside a solid; empty where nothing is solid. Points that
+/// somebody chose, and those of a mesh, may be markers on a body: within the skin of a
+/// surface they aren't inside.
 [[nodiscard]] std::vector<unsigned char> inside_solids(const System& system,
                                                        const Samples& samples);
 

@@ -54,9 +54,13 @@ class BeaconSharing {
   std::map<std::vector<std::string>, std::shared_ptr<const BeaconIndex>> made_;
 };
 
+/// The bodies of one mount, placed.
 Occluders placed_occluders(const Scene& scene, Mount mount) {
   const std::vector<TriangleMesh> bodies = placed_bodies(scene.occluders, mount);
-  return bodies.empty() ? Occluders() : Occluders(bodies);
+  std::vector<char> rooms;
+  for (const OccluderEntry& entry : scene.occluders)
+    if (entry.mount == mount) rooms.push_back(entry.room);
+  return bodies.empty() ? Occluders() : Occluders(bodies, rooms);
 }
 
 /// What makes single readings of a system, exactly to rounding: the posterior of a
@@ -73,6 +77,10 @@ MotionModel no_motion(const StateLayout& layout) {
 }
 
 }  // namespace
+
+Occluders placed_body(const OccluderEntry& entry) {
+  return Occluders({placed_mesh(entry)}, {entry.room});
+}
 
 System build_system(const Scene& scene, PluginRegistry& plugins,
                     const System* previous) {

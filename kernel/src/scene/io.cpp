@@ -11,6 +11,16 @@
 
 namespace delos {
 
+namespace {
+
+std::optional<std::string> bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string{std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
 std::optional<Scene> load_scene(const std::filesystem::path& file,
                                 const std::vector<Override>& overrides,
                                 PluginRegistry& plugins, Diagnostics& diagnostics,
@@ -46,6 +56,28 @@ std::optional<Scene> parse_scene(std::string_view text,
   if (findings.errors() > 0) scene.reset();
   findings.move_to(diagnostics);
   return scene;
+}
+
+Diagnostics warnings_of(const std::filesystem::path& file,
+                        const std::vector<Remark>& remarks, PluginRegistry& plugins) {
+  Diagnostics warnings;
+  if (remarks.empty()) return warnings;
+  Findings ignored, findings;
+  for (Findings* both : {&ignored, &findings}) both->add_source(file.string());
+  std::optional<Node> tree;
+  if (const std::optional<std::string> text = bytes_of(file)) {
+    Reader reader{ignored, plugins, file.parent_path()};
+    tree = parse_yaml(*text, 0, true, ignored);
+    if (tree) tree = resolve_extends(std::move(*tree), reader);
+  }
+  for (const Remark& remark : remarks) {
+    // Bases are texts of their own, whose numbers mean nothing here.
+    std::optional<Mark> mark = tree ? mark_at(*tree, remark.path) : std::nullopt;
+    if (mark && mark->source != 0) mark.reset();
+    findings.warning(mark.value_or(Mark{}), remark.path, remark.message);
+  }
+  findings.move_to(warnings);
+  return warnings;
 }
 
 namespace {

@@ -107,6 +107,15 @@ void check_mesh_hides(Reader& reader, const Place& at, const MeshShape& shape) {
   warn_of_defects(reader, at, shape, find_defects(*shape.mesh));
 }
 
+void check_mesh_room(Reader& reader, const Place& at, const MeshShape& shape) {
+  MeshFiles::File* file = unchecked(reader, shape);
+  if (!file) return;
+  file->defects_known = true;
+  MeshDefects defects = find_defects(*shape.mesh);
+  defects.inverted = false;
+  warn_of_defects(reader, at, shape, defects);
+}
+
 void check_mesh_contains(Reader& reader, const Place& at, const MeshShape& shape) {
   if (!shape.mesh) return;
   const MeshDefects defects = find_defects(*shape.mesh);

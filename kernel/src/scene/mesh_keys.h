@@ -20,6 +20,9 @@ void check_mesh_size(Reader& reader, const Place& at, const MeshShape& shape);
 /// @param at the file's name
 void check_mesh_hides(Reader& reader, const Place& at, const MeshShape& shape);
 
+/// The same of a room, whose faces look inward as a rule.
+void check_mesh_room(Reader& reader, const Place& at, const MeshShape& shape);
+
 /// The same for a mesh that is of no use without an inside: an open one is an error.
 void check_mesh_contains(Reader& reader, const Place& at, const MeshShape& shape);
 

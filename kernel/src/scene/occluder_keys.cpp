@@ -39,8 +39,20 @@ constexpr std::array<Key<OccluderEntry>, 1> kMountKey = {{
      }},
 }};
 
-constexpr auto kOccluderKeys = concat(concat(kNameKey, kBodyKeys<OccluderEntry>),
-                                      concat(kMountKey, kPlacementKeys<OccluderEntry>));
+constexpr std::array<Key<OccluderEntry>, 1> kRoomKey = {{
+    {"room", Need::optional, "true: its inside is free and its walls hide",
+     [](Reader& r, const Place& p, OccluderEntry& o) {
+       if (const auto room = r.choice(p, kTruthWords)) o.room = *room;
+     },
+     [](const OccluderEntry& o) -> Written {
+       if (!o.room) return std::nullopt;
+       return to_node("true");
+     }},
+}};
+
+constexpr auto kOccluderKeys =
+    concat(concat(concat(kNameKey, kBodyKeys<OccluderEntry>), kRoomKey),
+           concat(kMountKey, kPlacementKeys<OccluderEntry>));
 
 constexpr auto kRegionKeys =
     concat(kBodyKeys<RegionEntry>, kPlacementKeys<RegionEntry>);
@@ -57,7 +69,8 @@ void read_occluders(Reader& reader, const Place& at, std::vector<OccluderEntry>&
     OccluderEntry entry;
     if (!read_map(reader, place, kOccluderKeys, entry)) continue;
     check_placement(reader, place, entry.placement);
-    check_body(reader, place, entry.body, before, check_mesh_hides);
+    check_body(reader, place, entry.body, before,
+               entry.room ? check_mesh_room : check_mesh_hides);
     if (!entry.name.empty()) {
       const Mark mark = items[i].find("name")->mark;
       const auto [first, is_new] = line_of.emplace(entry.name, mark.line);

@@ -17,7 +17,8 @@ std::string with_unit(double value, const ParamSpec& spec) {
 
 std::optional<double> bounded_number(Reader& reader, const Place& at,
                                      const ParamSpec& spec) {
-  const auto value = reader.number(at, spec.unit);
+  const bool angle = std::string_view(spec.unit) == "rad";
+  const auto value = angle ? reader.angle(at) : reader.number(at, spec.unit);
   if (!value) return std::nullopt;
   if (*value < spec.lower) {
     reader.error(at, with_unit(*value, spec) + " is below the least value " +

@@ -10,6 +10,7 @@
 #include "scene/device_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/occluder_keys.h"
+#include "scene/rooms.h"
 #include "scene/sample_keys.h"
 #include "scene/search_keys.h"
 #include "scene/surface_keys.h"
@@ -288,7 +289,10 @@ Scene read_scene(Reader& reader, const Node& root) {
       std::all_of(draft.scene.devices.begin(), draft.scene.devices.end(),
                   [](const DeviceEntry& d) { return d.rate > 0; });
   if (draft.known.motion && rates_known) check_fusion(reader, place, draft.scene);
-  if (reader.findings.errors() == 0) read_search(reader, place, draft.scene);
+  if (reader.findings.errors() > 0) return std::move(draft.scene);
+  if (const Node* occluders = root.find("occluders"))
+    find_rooms(reader, Place(place, "occluders", *occluders), draft.scene);
+  read_search(reader, place, draft.scene);
   if (reader.findings.errors() == 0) check_varied_rates(reader, place, draft.scene);
   return std::move(draft.scene);
 }

@@ -7,6 +7,7 @@
 #include "document/node_text.h"
 #include "scene/sample_shapes.h"
 #include "scene/search_keys.h"
+#include "scene/words.h"
 
 namespace delos {
 namespace {
@@ -18,9 +19,6 @@ constexpr std::pair<const char*, BeaconGrouping> kGroupingWords[] = {
     {"row", BeaconGrouping::row},
     {"column", BeaconGrouping::column},
     {"panel", BeaconGrouping::panel}};
-
-constexpr std::pair<const char*, bool> kYesOrNo[] = {
-    {"yes", true}, {"true", true}, {"no", false}, {"false", false}};
 
 /// A set of candidates while it is read: the keys of a kind stand beside it.
 struct CandidateDraft {
@@ -297,7 +295,7 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
      "whether at most one of a spot's facings is chosen: yes (default) or no",
      [](Reader& r, const Place& p, CandidateDraft& d) {
        auto* copies = part_of<CandidateCopies>(r, p, d, "copies_of");
-       const auto one = r.choice(p, kYesOrNo);
+       const auto one = r.choice(p, kTruthWords);
        if (copies && one) copies->one_per_spot = *one;
      },
      [](const CandidateDraft& d) -> Written {

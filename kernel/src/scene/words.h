@@ -31,6 +31,9 @@ inline constexpr std::pair<const char*, Mount> kMountWords[] = {
     {"target", Mount::target},
 };
 
+inline constexpr std::pair<const char*, bool> kTruthWords[] = {
+    {"yes", true}, {"true", true}, {"no", false}, {"false", false}};
+
 inline constexpr std::pair<const char*, BeaconPattern> kBeaconPatternWords[] = {
     {"full", BeaconPattern::full},
     {"half", BeaconPattern::half},

@@ -26,6 +26,12 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// Something to say about a part of a text.
+struct Remark {
+  std::string path;     ///< of the part: "devices.cam1"
+  std::string message;  ///< one sentence
+};
+
 /// "scene.yaml:12:7: error: devices.cam1.params.focall: unknown key; did you mean
 /// 'focal'?" One line of valid UTF-8 without control characters.
 [[nodiscard]] DELOS_API std::string to_string(const Diagnostic& diagnostic);

@@ -57,7 +57,8 @@ struct FieldOptions {
                                              const Metric& metric,
                                              const FieldOptions& options = {});
 
-/// How a second field differs from a first on the same samples.
+/// How a second field differs from a first on the same samples; parts and means are by
+/// volume where the first has weights.
 struct Comparison {
   double mean = 0;               ///< of second − first, where both are finite
   double min = 0;                ///< the largest fall

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ struct Field {
   std::vector<unsigned char> inside;
   /// One a point, or empty where all count alike: the volume that it stands for, m³.
   std::vector<double> weight;
+  /// Of adaptive samples: values at points that are spread over the volume for its
+  /// statistics, with weights. Points 2k and 2k + 1 were drawn evenly from one box.
+  std::shared_ptr<const Field> spread;
   /// Of adaptive samples: 95th percentile over held-back points of |field/true − 1|.
   std::optional<double> discretization_error;
   std::size_t evaluations = 0;  ///< poses at which the equation was solved
@@ -48,6 +52,18 @@ struct Extreme {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< world, metres
 };
 
+/// What part of a volume is observable, and how sure statistics over it are: errors are
+/// the half-widths of 95 % intervals.
+struct VolumeStatistics {
+  double observable = 0;  ///< part of the volume outside solids
+  double observable_error = 0;
+  double one_short = 0, one_short_error = 0;  ///< likewise: one direction isn't
+  double mean_error = 0, median_error = 0, p95_error = 0;  ///< of FieldStatistics
+  /// No larger part of the volume is below the least value, or above the greatest.
+  double beyond = 0;
+  std::size_t points = 0;  ///< that the statistics are over
+};
+
 /// Summary of a field over the samples at which the metric is finite.
 struct FieldStatistics {
   bool larger_is_better = false;  ///< as the field
@@ -60,6 +76,9 @@ struct FieldStatistics {
   /// By volume, where samples have weights. Percentiles interpolate linearly. 95 % of
   /// the samples are at least as good as p95: where more is better, the 5th percentile.
   double mean = 0, median = 0, p95 = 0;
+  /// Of adaptive samples: mean, median and p95 are those of Field::spread, min and max
+  /// of both; counts are of the octree's nodes.
+  std::optional<VolumeStatistics> volume;
 
   [[nodiscard]] const Extreme& best() const { return larger_is_better ? max : min; }
   [[nodiscard]] const Extreme& worst() const { return larger_is_better ? min : max; }

@@ -32,9 +32,11 @@ class DELOS_API Occluders {
   /// Nothing hides.
   Occluders();
   /// @param parts meshes, placed; each has an inside of its own where it is closed
+  /// @param hollow one a part, or none: nonzero where it hides but has no inside
   /// @pre vertices finite, indices in range, fewer than 2³¹ triangles
   /// @cost n log n; the parts' vertices are copied into each triangle
-  explicit Occluders(const std::vector<TriangleMesh>& parts);
+  explicit Occluders(const std::vector<TriangleMesh>& parts,
+                     const std::vector<char>& hollow = {});
 
   /// Whether a triangle meets the segment a→b shortened by `skin` at both ends.
   /// Touching is meeting. Where the segment isn't longer than 2·skin, nothing does.

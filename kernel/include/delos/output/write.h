@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "delos/api.h"
 #include "delos/field/field.h"
+#include "delos/output/marker.h"
 
 namespace delos {
 
@@ -19,6 +21,9 @@ struct PictureOptions {
   std::optional<FieldStatistics> whole;
   bool has_slice = false;         ///< false: the slice through the best sample
   bool larger_is_better = false;  ///< turns the colours round: bright is always good
+  /// Values are changes of a metric: blue is better, white none, red worse.
+  bool change = false;
+  std::vector<Marker> devices;  ///< to draw where they are near the slice
 };
 
 /// Write a field in the format of the file's suffix. Written beside the target under a

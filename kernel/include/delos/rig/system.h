@@ -81,6 +81,9 @@ struct System {
 [[nodiscard]] DELOS_API System build_system(const Scene& scene, PluginRegistry& plugins,
                                             const System* previous = nullptr);
 
+/// One body by itself, in the frame that it is mounted in.
+[[nodiscard]] DELOS_API Occluders placed_body(const OccluderEntry& entry);
+
 /// The size of the information that the devices give: d where all measure the pose
 /// alone, else n.
 [[nodiscard]] DELOS_API int information_size(const System& system);

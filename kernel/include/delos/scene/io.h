@@ -36,6 +36,13 @@ namespace delos {
     const std::vector<Override>& overrides, PluginRegistry& plugins,
     Diagnostics& diagnostics, const MeshProgress& progress = {});
 
+/// Remarks on a scene as warnings, located where its file has the parts that they
+/// are about.
+/// @param file as load_scene() read it
+[[nodiscard]] DELOS_API Diagnostics warnings_of(const std::filesystem::path& file,
+                                                const std::vector<Remark>& remarks,
+                                                PluginRegistry& plugins);
+
 /// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
 [[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
 

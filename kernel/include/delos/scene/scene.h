@@ -75,6 +75,7 @@ enum class Mount {
 struct OccluderEntry {
   std::string name;  ///< may be empty
   Body body;
+  bool room = false;  ///< its inside is free; its surface hides
   Mount mount = Mount::world;
   Placement placement;
   friend bool operator==(const OccluderEntry&, const OccluderEntry&) = default;

@@ -63,7 +63,7 @@ Crossing crossing(const Kernel::Triangle_3& t, const Kernel::Point_3& from,
 }  // namespace
 
 struct Occluders::Tree {
-  explicit Tree(const std::vector<TriangleMesh>& parts);
+  Tree(const std::vector<TriangleMesh>& parts, const std::vector<char>& hollow);
 
   FlatTree tree;                    // over the triangles
   std::vector<Triangle> triangles;  // as the tree orders them
@@ -93,8 +93,11 @@ struct Occluders::Tree {
   std::optional<bool> inside_by(const Segment& s) const;
 };
 
-Occluders::Tree::Tree(const std::vector<TriangleMesh>& parts) {
+Occluders::Tree::Tree(const std::vector<TriangleMesh>& parts,
+                      const std::vector<char>& hollow) {
   for (const TriangleMesh& part : parts) add(part);
+  for (std::size_t part = 0; part < hollow.size(); ++part)
+    if (hollow[part]) closures[part].closed = false;
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   for (const auto& [corners, piece] : triangles) {
@@ -178,8 +181,9 @@ std::optional<bool> Occluders::Tree::inside_by(const Segment& s) const {
 
 Occluders::Occluders() : Occluders(std::vector<TriangleMesh>()) {}
 
-Occluders::Occluders(const std::vector<TriangleMesh>& parts)
-    : tree_(std::make_shared<Tree>(parts)) {}
+Occluders::Occluders(const std::vector<TriangleMesh>& parts,
+                     const std::vector<char>& hollow)
+    : tree_(std::make_shared<Tree>(parts, hollow)) {}
 
 bool Occluders::blocks(const Point& a, const Point& b, double skin) const {
   const auto segment = shortened(a, b, skin);
