@@ -210,6 +210,34 @@ TEST(Study, SurvivesTwentyKills) {
   EXPECT_EQ(exported(killed), exported(whole));
 }
 
+// As one begins: in the scene's own folder, with a body beside it.
+TEST(Study, BeginsInTheScenesOwnFolder) {
+  const Folder folder;
+  folder.write("wall.obj", "v 9 0 0\nv 9 1 0\nv 9 0 1\nf 1 2 3\n");
+  folder.write("room.yaml", R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+sample: {points: [[0, 0, 0]]}
+occluders: [{name: wall, mesh: wall.obj}]
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [2, 0, 0], params: {sigma: 10 cm}}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [0, 2, 0], params: {sigma: 10 cm}}
+  - {name: c, type: uwb_range, rate: 10 Hz, at: [1, 1, 2], params: {sigma: 10 cm}}
+variables: [{path: devices.c.at.z, lower: 1, upper: 3}]
+)");
+  const Finished begun = run({"optimize", "room.yaml", "--evaluations", "5", "--study",
+                              "s.study", "--out", "best.yaml"},
+                             folder.path());
+  EXPECT_EQ(begun.code, 0) << begun.err;
+  EXPECT_EQ(run({"check", "best.yaml"}, folder.path()).code, 0);
+  // The study knows where its scene was, wherever it is taken up.
+  const Folder elsewhere;
+  const Finished shown =
+      run({"study", "best", (folder.path() / "s.study").string(), "--out", "best.yaml"},
+          elsewhere.path());
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  EXPECT_EQ(run({"check", "best.yaml"}, elsewhere.path()).code, 0);
+}
+
 TEST(Study, IsNotOverwritten) {
   const Folder folder;
   const std::string file = (folder.path() / "s").string();

@@ -8,6 +8,7 @@
 
 #include "delos/device/faults.h"
 #include "delos/sampling/samples.h"
+#include "delos/scene/number.h"
 
 namespace delos::test {
 namespace {
@@ -125,6 +126,23 @@ TEST(Room, LetsMountedDevicesFaceElsewhere) {
                                    "on: rail1, coordinates: [0]"));
   EXPECT_EQ(rail.R, Eigen::Matrix3d::Identity());
   EXPECT_EQ(rail.p, Eigen::Vector3d(0, 0, 2));
+}
+
+// A rail's one coordinate is a number, in a scene and as a variable; beside a patch's
+// two.
+TEST(Room, TakesARailsCoordinateAsANumber) {
+  for (const char* written : {"0.875", "[0.875]"}) {
+    Scene s = accepted(
+        room_with("coordinates: 0.875", std::string("coordinates: ") + written));
+    const auto one = expand_numbers(s, "devices.c2.coordinates", plugins());
+    EXPECT_EQ(std::get<0>(one), (std::vector<std::string>{"devices.c2.coordinates.0"}));
+    for (const char* path : {"devices.c2.coordinates", "devices.c2.coordinates.0"})
+      EXPECT_EQ(*std::get<0>(find_number(s, path, plugins())).value, 0.875);
+    const auto all = expand_numbers(s, "devices.c*.coordinates", plugins());
+    EXPECT_EQ(std::get<0>(all), (std::vector<std::string>{"devices.c1.coordinates.0",
+                                                          "devices.c1.coordinates.1",
+                                                          "devices.c2.coordinates.0"}));
+  }
 }
 
 TEST(Room, EndsOfRailsAreOnThem) {

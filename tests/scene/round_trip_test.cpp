@@ -123,8 +123,8 @@ class Draw {
     d.params.set("gain", std::uniform_real_distribution<double>(0, 1)(random_));
     d.params.set("shape", std::string(coin() ? "hexagonal" : "round"));
     d.params.set("resolution", Eigen::MatrixXd(Eigen::Vector2d(1 + positive(), 77)));
-    d.params.set(
-        "mix", Eigen::MatrixXd::NullaryExpr(1 + upto(2), 2, [&] { return number(); }));
+    d.params.set("mix", Eigen::MatrixXd::NullaryExpr(1 + upto(2), 1 + upto(2),
+                                                     [&] { return number(); }));
     return d;
   }
 

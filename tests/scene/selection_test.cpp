@@ -217,6 +217,17 @@ std::vector<Bad> bad_selections() {
        with("count: 1, candidates: [{copies_of: s1, points: [[0, 0, 1]], pans: [1]}]"),
        {e("18:36: error: selection.candidates.0: pans and tilts belong together; give "
           "both")}},
+      {"TooManySpots",
+       with("count: 1, candidates: [{copies_of: s1, grid: {min: [0, 0, 3], max: [30, "
+            "30, 3], step: 1 mm}}]"),
+       {e("18:36: error: selection.candidates.0: 900,060,001 candidates; at most "
+          "1,000,000: make the grid coarser or the facings fewer")}},
+      {"TooManySpotsOfASurface",
+       with("count: 1, candidates: [{copies_of: s1, surface: ceiling, counts: [30000, "
+            "30000]}]}\nsurfaces: {ceiling: {patch: {origin: [0, 0, 3], u: [4, 0, 0], "
+            "v: [0, 2, 0]}}"),
+       {e("18:36: error: selection.candidates.0: 900,000,000 candidates; at most "
+          "1,000,000: make the grid coarser or the facings fewer")}},
       {"CostsNothing",
        with("count: 1, candidates: [{devices: s1, cost: 0}]"),
        {e("18:56: error: selection.candidates.0.cost: must be above 0")}},

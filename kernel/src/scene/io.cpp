@@ -112,8 +112,11 @@ std::string save_scene(Scene scene, const std::filesystem::path& folder,
   visit_files(scene, [&](std::string& name) {
     const std::filesystem::path path = name;
     if (path.is_absolute()) return;
-    const auto from = std::filesystem::absolute(file).parent_path();
-    name = (std::filesystem::absolute(folder) / path).lexically_relative(from).string();
+    // A scene in the current folder has "" for its own: with a name it can be resolved.
+    const auto whole = [](const std::filesystem::path& p) {
+      return std::filesystem::absolute(p).lexically_normal();
+    };
+    name = whole(folder / path).lexically_relative(whole(file).parent_path()).string();
   });
   if (const std::string problem = missing_folder(file); !problem.empty())
     return problem;

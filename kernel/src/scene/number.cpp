@@ -142,7 +142,9 @@ class Walk {
     if (key == "params") return of_params(device);
     if (key != "coordinates") return of_facing(key, device.placement);
     auto& coordinates = device.mounting->coordinates;
-    return end(coordinates[index(coordinates.size())], "1", 0, 1);
+    // The only one of a rail is a number by itself.
+    const bool only = coordinates.size() == 1 && at_ == parts_.size();
+    return end(coordinates[only ? 0 : index(coordinates.size())], "1", 0, 1);
   }
 
   SceneNumber of_params(DeviceEntry& device) {
@@ -257,7 +259,8 @@ std::variant<std::vector<std::string>, std::string> expand_numbers(
       Walk walk(path, plugins);
       try {
         walk.find(scene);
-        paths.push_back(path);
+        // A rail's only coordinate has one name, so that it is declared once.
+        paths.push_back(path.ends_with(".coordinates") ? path + ".0" : path);
       } catch (const NoNumber&) {
         // A vector, where all that could follow are its components.
         const std::vector<std::string>& open = walk.open();

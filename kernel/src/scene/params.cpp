@@ -62,6 +62,12 @@ std::optional<ParamValue> read_vector(Reader& reader, const Place& at,
   return vector;
 }
 
+bool is_column(const Node& node) {
+  return node.kind == Node::Kind::list && !node.items.empty() &&
+         std::all_of(node.items.begin(), node.items.end(),
+                     [](const Node& item) { return item.kind == Node::Kind::scalar; });
+}
+
 std::optional<ParamValue> read_value(Reader& reader, const Place& at,
                                      const ParamSpec& spec) {
   switch (spec.kind) {
@@ -77,6 +83,8 @@ std::optional<ParamValue> read_value(Reader& reader, const Place& at,
     case ParamKind::vector:
       return read_vector(reader, at, spec);
     case ParamKind::matrix:
+      // What write_params() makes of n×1: one number a row.
+      if (is_column(at.node())) return read_vector(reader, at, spec);
       if (auto m = reader.matrix(at, [&](int, int) { return spec.unit; }))
         return std::move(*m);
       return std::nullopt;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "delos/sampling/samples.h"
 #include "delos/scene/candidates.h"
 #include "delos/scene/number.h"
 #include "delos/text/units.h"
@@ -8,6 +9,7 @@
 #include "scene/sample_shapes.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
+#include "text/numbers.h"
 
 namespace delos {
 namespace {
@@ -313,6 +315,25 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
      }},
 }};
 
+/// Of one set: each is a device of its own.
+constexpr double kMostCandidates = 1'000'000;
+
+/// How many copies a set asks for, before any is made.
+double count_of(const CandidateCopies& copies) {
+  double spots = 1;
+  if (const auto* points = std::get_if<std::vector<Eigen::Vector3d>>(&copies.spots))
+    spots = static_cast<double>(points->size());
+  else if (const auto* grid = std::get_if<VolumeSampling>(&copies.spots))
+    spots = static_cast<double>(sample_count({{}, *grid}));
+  else
+    for (const int n : std::get<SurfaceSpots>(copies.spots).counts) spots *= n;
+  const Facings& f = copies.facings;
+  const auto facings =
+      static_cast<double>(f.aims.size() + f.rpy.size()) +
+      static_cast<double>(f.pans.size()) * static_cast<double>(f.tilts.size());
+  return spots * std::max(1.0, facings);
+}
+
 /// What only the keys of a set together tell.
 void check_set(Reader& reader, const Place& at, const CandidateDraft& draft) {
   if (draft.kind.empty())
@@ -334,6 +355,11 @@ void check_set(Reader& reader, const Place& at, const CandidateDraft& draft) {
                  "tilts");
   if (given({"pans", "tilts"}) == 1)
     reader.error(at, "pans and tilts belong together; give both");
+  if (const double count = count_of(*copies); count > kMostCandidates)
+    reader.error(at, grouped(static_cast<std::int64_t>(std::min(count, 1e18))) +
+                         " candidates; at most " +
+                         grouped(static_cast<std::int64_t>(kMostCandidates)) +
+                         ": make the grid coarser or the facings fewer");
 }
 
 void read_candidates(Reader& reader, const Place& at, Scene& scene) {

@@ -20,7 +20,7 @@ enum class ParamKind : std::uint32_t {
   number,  ///< a number, with a unit of the declared dimension or in SI
   choice,  ///< one of a few words
   vector,  ///< a list of numbers
-  matrix,  ///< a list of rows
+  matrix,  ///< a list of rows; of numbers: a column
 };
 
 /// How a search should step through a number.
