@@ -137,9 +137,10 @@ void Problem::State::find_touched() {
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       const PlacedDevice &a = system.devices[i], &b = moved.devices[i];
       if (a.period != b.period || a.phase != b.phase) what.all = true;
-      const bool moved = !(a.mount == b.mount);
-      if (moved && !a.carried()) what.poses.push_back(i);
-      if (!(a.params == b.params) || (moved && a.carried())) what.layers.push_back(i);
+      const bool elsewhere = !(a.mount == b.mount);
+      if (elsewhere && !a.carried()) what.poses.push_back(i);
+      if (!(a.params == b.params) || (elsewhere && a.carried()))
+        what.layers.push_back(i);
     }
     touched.push_back(std::move(what));
   }

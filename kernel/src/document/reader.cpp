@@ -212,6 +212,10 @@ std::optional<std::size_t> Reader::choice(const Place& at,
   return std::nullopt;
 }
 
+void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
+  if (const auto v = reader.vector3(at, "m")) out = *v;
+}
+
 std::string suggestion(std::string_view word, std::span<const std::string> known) {
   const std::string meant = nearest(word, known);
   if (!meant.empty()) return "; did you mean '" + meant + "'?";

@@ -103,6 +103,9 @@ struct Reader {
                                     std::span<const std::string> known);
 };
 
+/// vector3() of metres into `out`, which stays as it is where that has a finding.
+void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out);
+
 /// "; did you mean 'focal'?", or "; known: a, b, c" where nothing is near.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string> known);

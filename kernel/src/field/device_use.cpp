@@ -27,8 +27,7 @@ class Asker {
 
   /// Whether it sees the target, with all that stands in between.
   bool sees(const TargetPose& X_WT) {
-    return measure(system_, placed_, X_WT, columns_, scratch_,
-                   [](const auto&, const auto&) {});
+    return measure(system_, placed_, X_WT, columns_, scratch_, [](const auto&...) {});
   }
   /// Whether it would see any of the target if nothing hid it and all of it stood at
   /// `stretch` times its distance.

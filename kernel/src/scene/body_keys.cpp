@@ -13,10 +13,6 @@ using Written = std::optional<Node>;
 /// The greatest number of sides: more would only slow down what looks round already.
 constexpr int kMostSides = 1000;
 
-void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
-  if (const auto v = reader.vector3(at, "m")) out = *v;
-}
-
 void read_length(Reader& reader, const Place& at, double& out) {
   const auto length = reader.number(at, "m");
   if (!length) return;

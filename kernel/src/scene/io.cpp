@@ -11,16 +11,6 @@
 
 namespace delos {
 
-namespace {
-
-std::optional<std::string> bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(stream), {}};
-}
-
-}  // namespace
-
 std::optional<Scene> load_scene(const std::filesystem::path& file,
                                 const std::vector<Override>& overrides,
                                 PluginRegistry& plugins, Diagnostics& diagnostics,
@@ -65,7 +55,8 @@ Diagnostics warnings_of(const std::filesystem::path& file,
   Findings ignored, findings;
   for (Findings* both : {&ignored, &findings}) both->add_source(file.string());
   std::optional<Node> tree;
-  if (const std::optional<std::string> text = bytes_of(file)) {
+  std::string why;
+  if (const std::optional<std::string> text = file_text(file, why)) {
     Reader reader{ignored, plugins, file.parent_path()};
     tree = parse_yaml(*text, 0, true, ignored);
     if (tree) tree = resolve_extends(std::move(*tree), reader);

@@ -13,10 +13,6 @@ namespace {
 
 using Written = std::optional<Node>;
 
-void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
-  if (const auto v = reader.vector3(at, "m")) out = *v;
-}
-
 // ---- volume ----
 
 /// A box as its keys say it; `near` is read once the metric is known.

@@ -11,10 +11,6 @@ namespace {
 
 using Written = std::optional<Node>;
 
-void read_vector(Reader& reader, const Place& at, Eigen::Vector3d& out) {
-  if (const auto v = reader.vector3(at, "m")) out = *v;
-}
-
 constexpr std::array<Key<PatchSurface>, 3> kPatchKeys = {{
     {"origin", Need::required, "corner [x, y, z], metres",
      [](Reader& r, const Place& p, PatchSurface& s) { read_vector(r, p, s.origin); },
