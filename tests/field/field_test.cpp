@@ -34,8 +34,8 @@ class Table62 : public ::testing::TestWithParam<PublishedRate> {};
 TEST_P(Table62, EigMaxOfTheAcousticTracker) {
   System system = acoustic_system(GetParam().rate);
   for (PlacedDevice& d : system.devices) {
-    for (int i = 0; i < 2; ++i) d.X_WS.p[i] = d.X_WS.p[i] > 0.2 ? 0.47 : -0.07;
-    d.X_WS.p.z() = 1.2141;
+    for (int i = 0; i < 2; ++i) d.X_WS().p[i] = d.X_WS().p[i] > 0.2 ? 0.47 : -0.07;
+    d.X_WS().p.z() = 1.2141;
   }
   const Field field =
       field_of(system, testing::volume({0, 0, 0}, {0.4, 0.4, 1.14}, 0.02), "eigmax");

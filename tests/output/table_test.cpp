@@ -130,9 +130,9 @@ TEST(FieldJson, HasTheMembersOfTheContractInOrder) {
   EXPECT_EQ(text.substr(0, 14), "{\n  \"scene\": \"");
   const Json json = Json::parse(text);
   EXPECT_EQ(names(json), (std::vector<std::string>{
-                             "scene", "metric", "samples", "observable", "finite",
-                             "one_short", "min", "max", "mean", "median", "p95",
-                             "evaluations", "threads", "seconds"}));
+                             "scene", "metric", "fusion", "covariance", "samples",
+                             "observable", "finite", "one_short", "min", "max", "mean",
+                             "median", "p95", "evaluations", "threads", "seconds"}));
   EXPECT_EQ(json["scene"], "test");
   EXPECT_EQ(json["metric"], Json({{"name", "eigmax"}, {"unit", "m"}}));
   EXPECT_EQ(json["samples"], 3);

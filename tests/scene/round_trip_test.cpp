@@ -155,10 +155,11 @@ TEST(RoundTrip, KeepsRandomScenes) {
     const Scene scene = Draw(seed).scene();
     const std::string text = write_scene(scene);
     const Loaded loaded = load(text);
-    // Boxes of two and a half steps are warned of.
+    // Boxes of two and a half steps are warned of, and turns that go round and round.
     for (const std::string& finding : loaded.findings)
-      EXPECT_NE(finding.find("without samples: the last ones miss max"),
-                std::string::npos)
+      EXPECT_TRUE(finding.find("without samples: the last ones miss max") !=
+                      std::string::npos ||
+                  finding.find("more than a full turn") != std::string::npos)
           << finding;
     ASSERT_TRUE(loaded.scene) << "seed " << seed << '\n' << text;
     ASSERT_TRUE(*loaded.scene == scene) << "seed " << seed << '\n' << text;

@@ -20,13 +20,6 @@ const std::string kUseless =
     "  - {name: useless, type: uwb_range, rate: 0.1 Hz, at: [0, 0, 2], params: {sigma: "
     "10 m}}\n";
 
-Scene scene_of(const std::string& text, const std::vector<Override>& changes = {}) {
-  Diagnostics findings;
-  const auto scene = parse_scene(text, "scene.yaml", changes, plugins(), findings);
-  for (const Diagnostic& finding : findings) ADD_FAILURE() << to_string(finding);
-  return scene.value();
-}
-
 /// Values of both scenes at the samples of the first, under one definition.
 std::pair<Field, Field> alike_fields(Scene first, Scene second) {
   const Scene* both[] = {&first, &second};

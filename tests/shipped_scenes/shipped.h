@@ -26,6 +26,14 @@ inline Scene load(const std::string& name, const std::vector<Override>& changes 
   return scene.value();
 }
 
+inline Scene scene_of(const std::string& text,
+                      const std::vector<Override>& changes = {}) {
+  Diagnostics findings;
+  const auto scene = parse_scene(text, "scene.yaml", changes, plugins(), findings);
+  for (const Diagnostic& finding : findings) ADD_FAILURE() << to_string(finding);
+  return scene.value();
+}
+
 /// A scene's field over samples, its own where none are given.
 inline Field field_of(const Scene& scene, Samples samples = {}) {
   const System system = build_system(scene, plugins());

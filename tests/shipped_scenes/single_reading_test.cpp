@@ -24,13 +24,6 @@ devices:
 )" + rest;
 }
 
-Scene scene_of(const std::string& text, const std::vector<Override>& changes = {}) {
-  Diagnostics findings;
-  const auto scene = parse_scene(text, "scene.yaml", changes, plugins(), findings);
-  for (const Diagnostic& finding : findings) ADD_FAILURE() << to_string(finding);
-  return scene.value();
-}
-
 double value_of(Scene scene, const std::string& metric) {
   scene.metric = metric;
   return field_of(scene).value.at(0);
