@@ -37,7 +37,7 @@ TEST(FieldCommand, GivesTheContractsMembers) {
 
 /// Four cameras with 10 mm lenses: of 147 samples, counted one by one from the written
 /// coverage, 71 are seen by three or more, and 119 are observable.
-const std::string kRoom = R"(delos: 1
+const std::string kFourCameras = R"(delos: 1
 motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
 metric: coverage
 sample: {volume: {min: [1, 1, 0.5], max: [4, 4, 1.5], step: 0.5}}
@@ -50,7 +50,7 @@ devices:
 
 TEST(FieldCommand, TellsWhichPartMeetsSpecifications) {
   const Folder folder;
-  folder.write("room.yaml", kRoom);
+  folder.write("room.yaml", kFourCameras);
   const Finished done = run({"field", "room.yaml", "--spec", "coverage >= 3", "--spec",
                              "eigmax<=1 m", "--out", "room.json", "--json"},
                             folder.path());
@@ -76,7 +76,7 @@ TEST(FieldCommand, TellsWhichPartMeetsSpecifications) {
 
 TEST(FieldCommand, WeighsSpecificationsByVolume) {
   const Folder folder;
-  std::string room = kRoom;
+  std::string room = kFourCameras;
   room.replace(room.find("step: 0.5}"), 10, "adaptive: {depth: 3}}");
   folder.write("room.yaml", room);
   const Finished done =
@@ -102,7 +102,7 @@ TEST(FieldCommand, RefusesSpecificationsThatAreNone) {
 /// Of the coverage above, 1 is what 95 % of the samples reach: best 4, worst 1.
 TEST(FieldCommand, KnowsThatMoreCoverageIsBetter) {
   const Folder folder;
-  folder.write("room.yaml", kRoom);
+  folder.write("room.yaml", kFourCameras);
   EXPECT_EQ(run({"field", "room.yaml", "--json"}, folder.path()).json()["p95"], 1);
   const std::string text = run({"field", "room.yaml"}, folder.path()).out;
   for (const char* line : {"best    4 ", "median  2\n", "95 %    1\n", "worst   1 "})
@@ -113,7 +113,7 @@ TEST(FieldCommand, KnowsThatMoreCoverageIsBetter) {
 TEST(FieldCommand, WarnsWhereStepsDontReachTheEnd) {
   const Folder folder;
   const auto err = [&](const char* max, const char* step) {
-    std::string room = kRoom;
+    std::string room = kFourCameras;
     const std::string box = "min: [1, 1, 0.5], max: [4, 4, 1.5], step: 0.5";
     room.replace(room.find(box), box.size(),
                  std::string("min: [0, 0, 0], max: ") + max + ", step: " + step);

@@ -49,7 +49,9 @@ TEST(Comparison, DoesntPraiseALowerRate) {
 
 TEST(Comparison, IsStackedWhereAllScenesMayBe) {
   const Scene slow = scene_of(kAnchors),
-              fast = scene_of(kAnchors, {{"devices.*.rate", "20 Hz"}}),
+              fast = scene_of(kAnchors, {{"devices.a.rate", "20 Hz"},
+                                         {"devices.b.rate", "20 Hz"},
+                                         {"devices.c.rate", "20 Hz"}}),
               mixed = scene_of(kAnchors + kUseless);
   const auto fusion = [](std::vector<const Scene*> scenes) {
     return common_fusion(scenes);
@@ -97,9 +99,10 @@ TEST(Comparison, RefusesStackedFusionOfRatesThatVaryApart) {
                   "scene.yaml", {}, plugins(), findings);
   EXPECT_FALSE(scene);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(to_string(findings[0]),
-            "scene.yaml:9:1: error: variables: change the rates of single devices, but "
-            "stacked fusion needs one rate; tie all rates together, or use continuous");
+  EXPECT_EQ(
+      to_string(findings[0]),
+      "scene.yaml:10:3: error: variables: change the rates of single devices, but "
+      "stacked fusion needs one rate; tie all rates together, or use continuous");
 }
 
 /// Random rigs of ranges and cameras about six points, and what may be said of them.
@@ -177,11 +180,13 @@ class RandomRig {
   std::string rate_ = "10";
 };
 
-/// Whether a value is at least as good as another, but for rounding.
+/// Whether a value is at least as good as another, but for rounding: the least
+/// eigenvalue of S is known to ε‖S‖, so that a direction seen a thousand times less
+/// well than others keeps seven digits.
 bool as_good(double value, double other, bool larger_is_better) {
   if (!std::isfinite(other)) return true;
   if (!std::isfinite(value)) return false;
-  const double slack = 1e-9 * std::abs(other);
+  const double slack = 1e-6 * std::abs(other);
   return larger_is_better ? value >= other - slack : value <= other + slack;
 }
 

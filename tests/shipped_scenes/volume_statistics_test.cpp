@@ -155,7 +155,7 @@ TEST_P(Statistics, AreWithinTheirErrorsOfMonteCarlo) {
   // The errors are small enough to be of use: about a part in 250 of the volume.
   EXPECT_LT(error["observable"], 0.004);
   EXPECT_LT(error["mean"], 0.01 * truth.mean.value);
-  EXPECT_LT(error["beyond"], 0.001);
+  EXPECT_LT(error["beyond"], 0.004);
 }
 
 constexpr const char* kSmall =
