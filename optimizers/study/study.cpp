@@ -191,8 +191,10 @@ Study Study::create(const std::filesystem::path& file, const Scene& scene,
     state.database.run("BEGIN IMMEDIATE");
     state.database.run(kTables);
     state.set_fact("format", kFormat);
-    state.set_fact("folder",
-                   std::filesystem::absolute(folder).lexically_normal().string());
+    // A scene in the current folder has "" for its own.
+    state.set_fact("folder", std::filesystem::absolute(folder.empty() ? "." : folder)
+                                 .lexically_normal()
+                                 .string());
     state.set_fact("algorithm", plan.algorithm);
     state.set_fact("evaluations", std::to_string(plan.evaluations));
     state.set_fact("starts", std::to_string(plan.starts));

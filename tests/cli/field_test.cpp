@@ -120,17 +120,18 @@ TEST(FieldCommand, WarnsWhereStepsDontReachTheEnd) {
     folder.write("room.yaml", room);
     return run({"field", "room.yaml", "--json"}, folder.path()).err;
   };
-  EXPECT_EQ(
-      err("[1, 1, 1]", "0.3"),
-      "room.yaml:4:66: warning: sample.volume.step: leaves 27 % of the volume "
-      "without samples: the last ones miss max along x by 0.1 m, y by 0.1 m, z by "
-      "0.1 m; [0.25, 0.25, 0.25] reaches it\n");
+  EXPECT_NE(err("[1, 1, 1]", "0.3")
+                .find("warning: sample.volume.step: leaves 27 % of the volume without "
+                      "samples: the last ones miss max along x by 0.1 m, y by 0.1 m, z "
+                      "by 0.1 m; [0.25, 0.25, 0.25] reaches it\n"),
+            std::string::npos);
   EXPECT_NE(err("[1, 1, 1]", "3").find("leaves 100 %"), std::string::npos);
   EXPECT_NE(err("[1, 1, 1]", "[0.3, 0.5, 0.7]").find("[0.25, 0.5, 0.5] reaches it"),
             std::string::npos);
-  EXPECT_EQ(err("[1, 1, 1]", "0.1"), "");
-  EXPECT_EQ(err("[1, 1, 0]", "0.25"), "");
-  EXPECT_EQ(err("[1, 1, 10]", "0.333"), "");  // 0.4 % are left
+  EXPECT_EQ(err("[1, 1, 1]", "0.1").find("leaves"), std::string::npos);
+  EXPECT_EQ(err("[1, 1, 0]", "0.25").find("leaves"), std::string::npos);
+  EXPECT_EQ(err("[1, 1, 10]", "0.333").find("leaves"),
+            std::string::npos);  // 0.4 % are left
 }
 
 TEST(FieldCommand, WritesOneDocumentAndNothingElse) {

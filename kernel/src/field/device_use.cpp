@@ -47,7 +47,9 @@ class Asker {
                 const Eigen::Matrix3d& R_ST = Eigen::Matrix3d::Identity()) {
     scratch_.target.p_ST = p;
     scratch_.target.R_ST = R_ST;
-    return placed_.device->observe(scratch_.target, scratch_.observation);
+    return ask(placed_, [&](const Device& device) {
+      return device.observe(scratch_.target, scratch_.observation);
+    });
   }
 
  private:

@@ -299,6 +299,15 @@ void doubt_bodies(Doubted& in, const std::vector<TargetPose>& all) {
   }
 }
 
+/// A device that candidates are copies of stands for them: its own place means nothing.
+bool is_copied(const Scene& scene, const std::string& name) {
+  const auto& candidates = scene.selection.candidates;
+  return std::any_of(candidates.begin(), candidates.end(), [&](const auto& entry) {
+    const auto* copies = std::get_if<CandidateCopies>(&entry.what);
+    return copies && copies->of == name;
+  });
+}
+
 }  // namespace
 
 std::vector<Remark> doubts(const Scene& scene, const System& system,
@@ -313,7 +322,8 @@ std::vector<Remark> doubts(const Scene& scene, const System& system,
   doubt_sizes(in);
   doubt_bodies(in, all);
   if (in.poses.empty()) return std::move(in.found);
-  for (std::size_t d = 0; d < system.devices.size(); ++d) doubt_device(in, d);
+  for (std::size_t d = 0; d < system.devices.size(); ++d)
+    if (!is_copied(scene, system.devices[d].name)) doubt_device(in, d);
   doubt_carried(in);
   return std::move(in.found);
 }
