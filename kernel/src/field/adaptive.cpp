@@ -141,14 +141,11 @@ bool AdaptiveField::State::has_edge(Octree::Index cell) const {
 /// Values for statistics over the volume; those of the nodes are denser where the field
 /// bends, and never refined along the edges of views.
 std::shared_ptr<const Field> AdaptiveField::State::spread_field() {
-  // A quarter of what may be spent, where that is limited.
-  int most = options.spread;
-  if (sampling.evaluations)
-    most = static_cast<int>(std::min<std::int64_t>(
-        most, *sampling.evaluations / (4 * static_cast<std::int64_t>(turns.size()))));
-  if (most < 2) return nullptr;
   VolumePoints spread = volume_points(
-      tree, [this](Octree::Index c) { return has_edge(c); }, most, options.seed);
+      tree, [this](Octree::Index c) { return has_edge(c); }, options.spread,
+      options.seed);
+  const auto asked = static_cast<std::int64_t>(spread.points.size() * turns.size());
+  if (sampling.evaluations && asked > *sampling.evaluations / 2) return nullptr;
   Samples samples;
   samples.points = std::move(spread.points);
   samples.parts.push_back({"", 0, samples.points.size(), ScatteredShape{}});
