@@ -232,7 +232,7 @@ variables: [{path: devices.c.at.z, lower: 1, upper: 3}]
   // The study knows where its scene was, wherever it is taken up.
   const Folder elsewhere;
   const Finished shown =
-      run({"study", (folder.path() / "s.study").string(), "best", "--out", "best.yaml"},
+      run({"study", (folder.path() / "s.study").string(), "best", "best.yaml"},
           elsewhere.path());
   EXPECT_EQ(shown.code, 0) << shown.err;
   EXPECT_EQ(run({"check", "best.yaml"}, elsewhere.path()).code, 0);
