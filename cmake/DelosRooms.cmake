@@ -1,8 +1,9 @@
 # delos_build_by_room(<target> <base> <sources>...): compile the sources of one folder as
 # one unit, since reading headers is most of what a small source costs. A folder of more
-# than `most` sources makes several units, so that two cores have something to share.
+# than `most` sources makes several units: two cores have something to share, and GCC slows
+# down where one unit names many types of Eigen.
 function(delos_build_by_room target base)
-  set(most 12)
+  set(most 6)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${DELOS_BY_ROOM} UNITY_BUILD_MODE GROUP)
   foreach(source ${ARGN})
     cmake_path(GET source PARENT_PATH folder)

@@ -1,6 +1,6 @@
 #include "lost_directions.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -77,15 +77,14 @@ std::vector<std::string> lost_directions(const System& system,
   const std::vector<Eigen::Vector3d> arms = towards_devices(system, report);
   if (lost.cols() == 0 || arms.empty()) return lines;
 
-  Eigen::Matrix3Xd A(3, static_cast<Eigen::Index>(arms.size()));
-  for (std::size_t i = 0; i < arms.size(); ++i)
-    A.col(static_cast<Eigen::Index>(i)) = arms[i];
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU);
-  const auto& sizes = svd.singularValues();
-  const double least = kInLine * sizes(0);
-  const bool line = sizes.size() < 2 || sizes(1) < least,
-             plane = !line && (sizes.size() < 3 || sizes(2) < least);
-  const Eigen::Vector3d along = svd.matrixU().col(0), normal = svd.matrixU().col(2);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& arm : arms) spread += arm * arm.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const double least = kInLine * kInLine * axes.eigenvalues()(2);
+  const bool line = axes.eigenvalues()(1) < least,
+             plane = !line && axes.eigenvalues()(0) < least;
+  const Eigen::Vector3d along = axes.eigenvectors().col(2),
+                        normal = axes.eigenvectors().col(0);
   const std::string who =
       "the point and " +
       (arms.size() == 2 ? std::string("both") : "all " + std::to_string(arms.size())) +

@@ -40,7 +40,7 @@ StateVector balance(std::span<const CycleStep> cycle) {
   StateMatrix noise = StateMatrix::Zero(n, n), information = noise;
   for (int step = 0; step < kSteps; ++step) {
     const MotionStep& motion = cycle[step % count].motion;
-    noise = motion.A * noise * motion.A.transpose() + motion.Q;
+    noise = congruence(motion.A, noise) + motion.Q;
   }
   for (int step = kSteps - 1; step >= 0; --step) {
     const auto& [motion, measurement] = cycle[step % count];
@@ -51,7 +51,7 @@ StateVector balance(std::span<const CycleStep> cycle) {
       const double variance = c.dot(c * noise);
       if (variance > 0) information += c.transpose() * c / variance;
     }
-    information = motion.A.transpose() * information * motion.A;
+    information = congruence(motion.A.transpose(), information);
   }
   return balance(noise.diagonal(), information.diagonal());
 }

@@ -1,12 +1,12 @@
 // The scalar chain behind its public signatures: see chain_terms.h for the formulas.
 #include "delos/riccati/chain.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <complex>
 #include <cstdlib>
 
 #include "riccati/chain_terms.h"
+#include "riccati/linear.h"
 
 namespace delos {
 namespace {
@@ -65,11 +65,8 @@ double slowest_decay_3(double e) {
   const double w = riccati::chain_root_3(a);
   Eigen::Matrix3d companion;
   companion << -(w * w / 2 - 1) / (t * t), -w / t, -1, 1, 0, 0, 0, 1, 0;
-  const Eigen::EigenSolver<Eigen::Matrix3d> roots(companion, false);
-  double slowest = decay(roots.eigenvalues()[0] / t);
-  for (int i = 1; i < 3; ++i)
-    slowest = std::min(slowest, decay(roots.eigenvalues()[i] / t));
-  return slowest;
+  const auto roots = riccati::eigenvalues(companion);
+  return std::min({decay(roots[0] / t), decay(roots[1] / t), decay(roots[2] / t)});
 }
 
 }  // namespace

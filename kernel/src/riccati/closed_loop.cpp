@@ -1,12 +1,12 @@
 // How fast the steady filter forgets: eigenvalues of its closed loop.
-#include <Eigen/Eigenvalues>
-
 #include "delos/riccati/riccati.h"
 #include "riccati/linear.h"
 
 namespace delos {
 namespace {
 
+using riccati::congruence;
+using riccati::eigenvalues;
 using riccati::orthonormal;
 using riccati::pseudo_inverse;
 
@@ -20,14 +20,12 @@ StateMatrix correction(const SteadyState& state) {
   StateMatrix M = state.posterior * inverse;
   if (null.cols() > 0) {
     const StateMatrix N = orthonormal(null);
-    M += (I - M) * N * N.transpose();
+    const StateMatrix rest = I - M;
+    M += rest * congruence(N, StateMatrix::Identity(N.cols(), N.cols()));
   }
   const StateMatrix observed = I - state.unobservable * state.unobservable.transpose();
-  return observed * M * observed;
-}
-
-Eigen::EigenSolver<StateMatrix>::EigenvalueType poles(const StateMatrix& loop) {
-  return Eigen::EigenSolver<StateMatrix>(loop, false).eigenvalues();
+  M = M * observed;
+  return observed * M;
 }
 
 }  // namespace
@@ -37,15 +35,16 @@ double closed_loop_radius(std::span<const CycleStep> cycle,
   const Eigen::Index n = cycle.front().motion.A.rows();
   StateMatrix loop = StateMatrix::Identity(n, n);
   for (std::size_t i = 0; i < cycle.size(); ++i) {
-    loop = (correction(states[i]) * (cycle[i].motion.A * loop)).eval();
+    loop = cycle[i].motion.A * loop;
+    loop = correction(states[i]) * loop;
   }
-  return poles(loop).cwiseAbs().maxCoeff();
+  return eigenvalues(loop).cwiseAbs().maxCoeff();
 }
 
 double continuous_closed_loop_rate(const MotionStep& continuous,
                                    const StateMatrix& information_rate,
                                    const StateMatrix& P) {
-  return poles(continuous.A - P * information_rate).real().maxCoeff();
+  return eigenvalues(continuous.A - P * information_rate).real().maxCoeff();
 }
 
 }  // namespace delos

@@ -92,7 +92,7 @@ SteadyState solve_continuous(const MotionStep& continuous,
                  : lost.cols() == 0 ? RiccatiStatus::converged
                                     : RiccatiStatus::unobservable;
   state.unobservable = lost;
-  state.prior = symmetric(X * point.posterior * X.transpose());
+  state.prior = congruence(X, point.posterior);
   if (lost.cols() > 0) {
     state.unobservable = orthonormal(D.asDiagonal() * lost);
     state.prior = projected_off(state.prior, state.unobservable);

@@ -6,20 +6,15 @@
 
 namespace delos::riccati {
 
-/// Calls f.template operator()<d>() for d in [1, 6]; aborts otherwise.
+/// Calls f.template operator()<d>() for the sizes of a pose: two or three coordinates of
+/// place or turn, or six of both; aborts otherwise.
 template <class F>
 decltype(auto) with_coordinates(Eigen::Index d, F&& f) {
   switch (d) {
-    case 1:
-      return f.template operator()<1>();
     case 2:
       return f.template operator()<2>();
     case 3:
       return f.template operator()<3>();
-    case 4:
-      return f.template operator()<4>();
-    case 5:
-      return f.template operator()<5>();
     case 6:
       return f.template operator()<6>();
     default:

@@ -97,8 +97,8 @@ void solve_balanced(std::span<CycleStep> cycle, const StateVector& D,
     // Back from y = Vᵀ D⁻¹ x.
     StateMatrix X = D.asDiagonal();
     if (!complete) X = X * complement(state.unobservable);
-    state.prior = symmetric(X * P * X.transpose());
-    state.posterior = symmetric(X * Pi * X.transpose());
+    state.prior = congruence(X, P);
+    state.posterior = congruence(X, Pi);
     if (complete) continue;
     state.unobservable = orthonormal(D.asDiagonal() * state.unobservable);
     state.prior = projected_off(state.prior, state.unobservable);

@@ -1,6 +1,5 @@
 // The papers' own method: eigenvectors of the symplectic matrix Ψ.
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -23,8 +22,8 @@ using Eigen::MatrixXd;
 MatrixXd symplectic(const CycleStep& step) {
   const auto& [motion, measurement] = step;
   const Eigen::Index n = motion.A.rows();
-  const MatrixXd inverse = motion.A.transpose().inverse();
-  const MatrixXd seen = inverse * measurement.information;
+  const StateMatrix inverse = solved(motion.A.transpose(), StateMatrix::Identity(n, n));
+  const StateMatrix seen = inverse * measurement.information;
   MatrixXd psi(2 * n, 2 * n);
   psi << motion.A + motion.Q * seen, motion.Q * inverse, seen, inverse;
   return psi;
@@ -76,9 +75,8 @@ SteadyState solve_eigenvector(std::span<const CycleStep> steps) {
     for (const CycleStep& step : left) psi += symplectic(quotient(step, V, V));
     const MatrixXd basis = dominant_vectors(psi);
     // P = B C⁻¹, as Pᵀ = C⁻ᵀ Bᵀ.
-    P = basis.bottomRows(n).transpose().partialPivLu().solve(
-        basis.topRows(n).transpose());
-    P = symmetric(P);
+    P = symmetric(
+        solved(basis.bottomRows(n).transpose(), basis.topRows(n).transpose()));
   }
 
   SteadyState state;
@@ -94,8 +92,8 @@ SteadyState solve_eigenvector(std::span<const CycleStep> steps) {
       state.status = RiccatiStatus::iteration_limit;
   }
   state.unobservable = lost;
-  state.prior = symmetric(X * P * X.transpose());
-  state.posterior = symmetric(X * update(P, together.measurement) * X.transpose());
+  state.prior = congruence(X, P);
+  state.posterior = congruence(X, update(P, together.measurement));
   if (lost.cols() > 0) {
     state.unobservable = orthonormal(D.asDiagonal() * lost);
     state.prior = projected_off(state.prior, state.unobservable);

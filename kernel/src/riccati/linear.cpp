@@ -2,41 +2,69 @@
 #include "riccati/linear.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
 #include <limits>
 
 namespace delos::riccati {
-StateMatrix orthonormal(const StateMatrix& X) {
-  const Eigen::HouseholderQR<StateMatrix> qr(X);
-  StateMatrix Q = StateMatrix::Identity(X.rows(), X.cols());
+namespace {
+
+using QR = Eigen::ColPivHouseholderQR<StateMatrix>;
+
+/// The orthogonal factor, n×n.
+StateMatrix rotation(const QR& qr) {
+  StateMatrix Q = StateMatrix::Identity(qr.rows(), qr.rows());
   Q.applyOnTheLeft(qr.householderQ());
   return Q;
 }
 
+}  // namespace
+
+StateMatrix congruence(const StateMatrix& A, const StateMatrix& P) {
+  const StateMatrix AP = A * P;
+  return symmetric(AP * A.transpose());
+}
+
+StateMatrix solved(const StateMatrix& W, const StateMatrix& B) {
+  return Eigen::PartialPivLU<StateMatrix>(W).solve(B);
+}
+
+Schur schur(const StateMatrix& A) {
+  const Eigen::ComplexSchur<StateMatrix> split(A);
+  return {split.matrixT(), split.matrixU()};
+}
+
+Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxState, 1>
+eigenvalues(const StateMatrix& A) {
+  return Eigen::ComplexSchur<StateMatrix>(A, false).matrixT().diagonal();
+}
+
+StateMatrix orthonormal(const StateMatrix& X) {
+  return rotation(QR(X)).leftCols(X.cols());
+}
+
 StateMatrix complement(const StateMatrix& N) {
   const Eigen::Index n = N.rows(), m = N.cols();
-  StateMatrix Q = StateMatrix::Identity(n, n);
-  if (m > 0) Q.applyOnTheLeft(Eigen::HouseholderQR<StateMatrix>(N).householderQ());
-  return Q.rightCols(n - m);
+  if (m == 0) return StateMatrix::Identity(n, n);
+  return rotation(QR(N)).rightCols(n - m);
 }
 
 StateMatrix projected_off(const StateMatrix& P, const StateMatrix& N) {
   const StateMatrix keep =
       StateMatrix::Identity(N.rows(), N.rows()) - N * N.transpose();
-  return symmetric(keep * P * keep);
+  return congruence(keep, P);
 }
 
 StateMatrix null_space(const StateMatrix& W, double tolerance) {
   // W x = 0 ⇔ x ⊥ range(Wᵀ): the columns of Q behind the rank of Wᵀ Π = Q R.
   const Eigen::Index n = W.cols();
-  StateMatrix Q = StateMatrix::Identity(n, n);
-  if (W.rows() == 0) return Q;
-  const Eigen::ColPivHouseholderQR<StateMatrix> qr(W.transpose());
+  if (W.rows() == 0) return StateMatrix::Identity(n, n);
+  const QR qr(W.transpose());
   Eigen::Index rank = 0;
   const Eigen::Index most = std::min(n, W.rows());
   while (rank < most && std::abs(qr.matrixQR()(rank, rank)) > tolerance) ++rank;
-  Q.applyOnTheLeft(qr.householderQ());
-  return Q.rightCols(n - rank);
+  return rotation(qr).rightCols(n - rank);
 }
 
 StateMatrix semidefinite_factor(const StateMatrix& P) {
@@ -69,7 +97,7 @@ PseudoInverse pseudo_inverse(const StateMatrix& M, const StateVector& scale) {
     ++rank;
   }
   const StateMatrix V = D.asDiagonal() * eigen.eigenvectors();
-  return {V * inverse.asDiagonal() * V.transpose(), V.leftCols(n - rank)};
+  return {congruence(V, StateMatrix(inverse.asDiagonal())), V.leftCols(n - rank)};
 }
 
 }  // namespace delos::riccati

@@ -1,5 +1,8 @@
-// Small linear algebra over the state that Eigen has no one call for. No heap.
+// Small linear algebra over the state. Each step is compiled once, here: what Eigen makes
+// of an expression anew wherever it stands costs seconds. No heap.
 #pragma once
+
+#include <complex>
 
 #include "delos/model/state.h"
 #include "model/epsilon.h"
@@ -7,6 +10,24 @@
 namespace delos::riccati {
 
 inline StateMatrix symmetric(const StateMatrix& m) { return (m + m.transpose()) / 2; }
+
+/// A P Aᵀ of a symmetric P, symmetric to the last bit. A may have fewer rows than P.
+StateMatrix congruence(const StateMatrix& A, const StateMatrix& P);
+
+/// W⁻¹ B of a regular W.
+StateMatrix solved(const StateMatrix& W, const StateMatrix& B);
+
+/// A = U T Uᴴ: U unitary, T upper triangular with the eigenvalues on its diagonal.
+struct Schur {
+  using Matrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic,
+                               Eigen::ColMajor, kMaxState, kMaxState>;
+  Matrix T, U;
+};
+Schur schur(const StateMatrix& A);
+
+/// Eigenvalues of a general matrix, in no order, conjugates apart.
+Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxState, 1>
+eigenvalues(const StateMatrix& A);
 
 /// Orthonormal basis of the columns of X, n×m of full rank.
 StateMatrix orthonormal(const StateMatrix& X);

@@ -9,7 +9,7 @@
 // decays.
 #include "riccati/observability.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
 #include <complex>
 #include <limits>
 
@@ -62,9 +62,7 @@ bool persists(std::complex<double> mu, Stability stability) {
 /// Golub, Van Loan, Matrix Computations, 4th ed., §7.6.2.
 StateMatrix persistent_subspace(const StateMatrix& A, Stability stability) {
   using Complex = std::complex<double>;
-  const Eigen::ComplexSchur<StateMatrix> schur(A);
-  auto T = schur.matrixT();
-  auto U = schur.matrixU();
+  auto [T, U] = schur(A);
   const Eigen::Index n = A.rows();
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -109,10 +107,9 @@ StateMatrix lost_directions(std::span<const CycleStep> cycle, Stability stabilit
 CycleStep quotient(const CycleStep& step, const StateMatrix& V_before,
                    const StateMatrix& V_after) {
   const auto& [motion, measurement] = step;
-  return {{V_after.transpose() * motion.A * V_before,
-           symmetric(V_after.transpose() * motion.Q * V_after)},
-          {symmetric(V_after.transpose() * measurement.information * V_after),
-           measurement.exact * V_after}};
+  const StateMatrix Vt = V_after.transpose(), AV = motion.A * V_before;
+  return {{Vt * AV, congruence(Vt, motion.Q)},
+          {congruence(Vt, measurement.information), measurement.exact * V_after}};
 }
 
 }  // namespace delos::riccati

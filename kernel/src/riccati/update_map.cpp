@@ -9,30 +9,23 @@
 namespace delos::riccati {
 namespace {
 
-/// The gain that conditions a covariance on exact rows: L = H Cᵀ M⁺, M = C H Cᵀ.
-struct ExactGain {
-  StateMatrix L;
-  PseudoInverse M;
-};
-
-ExactGain exact_gain(const StateMatrix& H, const StateMatrix& C) {
-  const StateMatrix M = symmetric(C * H * C.transpose());
-  // Rounding of M_ii is relative to the sum of magnitudes that make it up.
-  const StateMatrix absolute = C.cwiseAbs();
-  const StateVector scale = (absolute * H.cwiseAbs() * absolute.transpose()).diagonal();
-  ExactGain gain{{}, pseudo_inverse(M, scale)};
-  gain.L = H * C.transpose() * gain.M.inverse;
-  return gain;
-}
-
 /// (I − LC) H (I − LC)ᵀ: Joseph's form, which stays ≥ 0.
 StateMatrix condition(const StateMatrix& H, const StateMatrix& L,
                       const StateMatrix& C) {
   const StateMatrix keep = StateMatrix::Identity(H.rows(), H.cols()) - L * C;
-  return symmetric(keep * H * keep.transpose());
+  return congruence(keep, H);
 }
 
 }  // namespace
+
+ExactGain exact_gain(const StateMatrix& H, const StateMatrix& C) {
+  // Rounding of M_ii is relative to the sum of magnitudes that make it up.
+  const StateVector scale = congruence(C.cwiseAbs(), H.cwiseAbs()).diagonal();
+  ExactGain gain{{}, pseudo_inverse(congruence(C, H), scale)};
+  const StateMatrix HC = H * C.transpose();
+  gain.L = HC * gain.M.inverse;
+  return gain;
+}
 
 UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
                      bool& regular) {
@@ -44,7 +37,8 @@ UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
   const Eigen::PartialPivLU<StateMatrix> W(I + Q * S);
   UpdateMap map;
   map.A = W.solve(A);
-  map.G = symmetric(A.transpose() * S * map.A);
+  const StateMatrix SA = S * map.A;
+  map.G = symmetric(A.transpose() * SA);
   map.H = symmetric(W.solve(Q));
 
   // Condition on the exact rows: G gains A_sᵀ Cᵀ M⁺ C A_s.
@@ -56,7 +50,7 @@ UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
     // What M⁺ drops must not be seen by the rows through the motion either.
     const double dropped = (gain.M.null.transpose() * seen).norm();
     regular = dropped <= 1e-12 * gain.M.null.norm() * seen.norm();
-    map.G = symmetric(map.G + seen.transpose() * gain.M.inverse * seen);
+    map.G += congruence(seen.transpose(), gain.M.inverse);
     map.A -= gain.L * seen;
     map.H = condition(map.H, gain.L, C);
   }
@@ -64,7 +58,7 @@ UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
 }
 
 StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior) {
-  return symmetric(motion.A * posterior * motion.A.transpose() + motion.Q);
+  return congruence(motion.A, posterior) + motion.Q;
 }
 
 StateMatrix update(const StateMatrix& prior, const Measurement& measurement) {
@@ -72,7 +66,7 @@ StateMatrix update(const StateMatrix& prior, const Measurement& measurement) {
   const Eigen::Index n = prior.rows();
   const StateMatrix F = semidefinite_factor(prior);
   const Eigen::LLT<StateMatrix> W(StateMatrix::Identity(n, n) +
-                                  F.transpose() * measurement.information * F);
+                                  congruence(F.transpose(), measurement.information));
   const StateMatrix half = W.matrixL().solve(StateMatrix(F.transpose()));
   const StateMatrix posterior = half.transpose() * half;
   const StateMatrix& C = measurement.exact;

@@ -13,6 +13,7 @@
 #include <Eigen/LU>
 
 #include "delos/riccati/riccati.h"
+#include "riccati/linear.h"
 
 namespace delos::riccati {
 
@@ -45,6 +46,14 @@ BasicUpdateMap<Matrix> compose(const BasicUpdateMap<Matrix>& first,
   both.H = (second.H + (both.H + both.H.transpose()) / 2).eval();
   return both;
 }
+
+/// What conditions a covariance on exact rows C, which may depend on each other:
+/// L = H Cᵀ M⁺ with M = C H Cᵀ.
+struct ExactGain {
+  StateMatrix L;
+  PseudoInverse M;
+};
+ExactGain exact_gain(const StateMatrix& H, const StateMatrix& C);
 
 /// P = A Π Aᵀ + Q.
 StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior);
