@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "delos/text/format.h"
+#include "delos/text/words.h"
 #include "report/chart.h"
 #include "report/words.h"
 
