@@ -141,8 +141,12 @@ Relaxation relax(ChoiceCost& cost, const ChoicePolytope& polytope,
                  std::vector<double> start, const RelaxationOptions& options) {
   ConvexDescent search(cost, polytope, options);
   if (!search.begin(std::move(start))) {
-    // Not even all fractions together observe everything.
-    search.best.bound = search.best.value = kInfinity;
+    // Nothing can be said, but where not even all together see everything.
+    std::vector<double> all(cost.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = polytope.decisions()[i] != Decision::out;
+    search.best.value = kInfinity;
+    search.best.bound = is_blind(cost.value(all)) ? kInfinity : 0;
     search.best.linear.if_in.assign(cost.size(), 0.0);
     search.best.linear.if_out.assign(cost.size(), 0.0);
     return search.best;

@@ -293,7 +293,7 @@ double least_of_all(const Instance& instance) {
 }
 
 FieldCost cost_of(const Instance& i) {
-  return {i.system, i.all, i.samples, i.orientations, i.terms, 1};
+  return {i.system, i.all, i.samples, i.orientations, i.terms, 0, 1};
 }
 
 class Choices : public testing::TestWithParam<Kind> {};
