@@ -87,9 +87,10 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
       kind_(system.covariance),
       solver_(make_smooth_steady_solver(system)),
       request_(request_for(system, metrics_of(terms_))),
-      known_(
-          candidate_information(system, all, poses_of(samples, orientations), threads)),
+      known_(candidate_information(system, all, poses_of(samples, orientations),
+                                   threads, solver_->reads_rows())),
       excluded_(all.candidates.size(), 0),
+      prior_(system.prior),
       guess_(guess),
       size_(all.candidates.size()),
       samples_(samples.points.size()),
@@ -155,6 +156,17 @@ void FieldCost::add_information(std::span<const double> w, std::size_t pose,
   }
   for (std::size_t k = 0; k < packed_; ++k) sum[k] *= share;
   at.add(0, sum);
+  if (known_.first_reading.empty()) return;
+  for (std::size_t e = known_.first_reading[pose]; e < known_.first_reading[pose + 1];
+       ++e) {
+    const std::int32_t reader = known_.reader[e];
+    const double weight = reader < 0 ? 1 : w[static_cast<std::size_t>(reader)];
+    if (weight == 0) continue;
+    const auto columns = static_cast<std::size_t>(known_.columns);
+    at.add_reading(Eigen::Map<const Eigen::RowVectorXd>(&known_.readings[e * columns],
+                                                        known_.columns),
+                   weight * share);
+  }
 }
 
 void FieldCost::add_perfect_rows(std::span<const double> w, bool fractions,
@@ -181,6 +193,7 @@ void FieldCost::solve(std::span<const double> w, bool fractions, double guess,
       .measurement.information.diagonal()
       .head(layout_.coordinates())
       .array() += guess;
+  out.at.besides = prior_ + guess;
   add_perfect_rows(w, fractions, pose, out.at);
   solver_->solve(out.at, request_, out.state);
   if (out.state.status == RiccatiStatus::iteration_limit) unsettled_ = true;

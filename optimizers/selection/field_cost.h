@@ -109,7 +109,7 @@ class FieldCost final : public ChoiceCost {
   mutable std::atomic<bool> unsettled_ = false;
   std::vector<std::size_t> whole_ones_;
   std::vector<char> excluded_;
-  double guess_;
+  double prior_, guess_;
   std::vector<char> guessed_;  ///< solved turns: judged by the guess where blind
   std::vector<std::vector<std::uint32_t>> seen_by_;  ///< samples that see a candidate
   std::size_t size_, samples_, turns_;

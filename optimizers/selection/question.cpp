@@ -166,7 +166,8 @@ void check_settled(const FieldCost& cost) {
   if (cost.unsettled())
     throw std::invalid_argument(
         "the steady state of some choices didn't settle, so that nothing is proven: "
-        "rows without noise may measure states that no noise drives");
+        "rows with little or no noise may measure states that no noise drives, or "
+        "states that drift may hardly be measured");
 }
 
 void check_judged(const Choice& best) {

@@ -15,7 +15,8 @@ class SeeingSearch {
   /// @returns whether `found` is one
   bool look(const std::vector<Decision>& decided) {
     const ChoicePolytope polytope(rules_, decided);
-    if (!polytope.feasible() || ++looked_ > kMost) return false;
+    if (!polytope.feasible() || asked_ > kMost) return false;
+    asked_ += 1 + polytope.open().size();
     std::vector<Decision> decisions = polytope.decisions();
     std::vector<char> all(decisions.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -39,11 +40,11 @@ class SeeingSearch {
   std::vector<char> found;
 
  private:
-  static constexpr int kMost = 600;
+  static constexpr std::size_t kMost = 20000;
 
   ChoiceCost& cost_;
   const ChoiceRules& rules_;
-  int looked_ = 0;
+  std::size_t asked_ = 0;  ///< how many choices were
 };
 
 }  // namespace

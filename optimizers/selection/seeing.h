@@ -10,7 +10,7 @@
 namespace delos {
 
 /// A choice that the rules and decisions allow and that leaves nothing blind; nullopt:
-/// there is none, or none was found within some hundreds of choices.
+/// there is none, or none was found within some thousands of choices.
 ///
 /// Candidates are chosen that leave the fewest directions blind, and left out where
 /// that leads nowhere: where what is left to choose, all of it together, doesn't see

@@ -119,8 +119,7 @@ TEST(BlindSamples, AreThoseOfTheMetric) {
 
 // Two of three axes gone, as the counts have it and as the removals.
 TEST(BlindSamples, AreCountedInCurvesAndRemovals) {
-  const Scene scene =
-      parse(walks(kAxes, "{minimize: mean, of: trace, guess: 2 m}", 1));
+  const Scene scene = parse(walks(kAxes, "{minimize: mean, of: trace, guess: 2 m}", 1));
   SelectOptions options;
   options.gap = 0;
   options.threads = 1;

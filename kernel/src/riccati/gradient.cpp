@@ -54,6 +54,8 @@ StateMatrix riccati_gradient(const MotionStep& motion, const Measurement& measur
   const Eigen::PartialPivLU<StateMatrix> W(StateMatrix::Identity(n, n) +
                                            state.prior * measurement.information);
   StateMatrix M = W.inverse();
+  if (measurement.rows.rows() > 0)
+    M = kept_by_rows(symmetric(M * state.prior), measurement.rows) * M;
   if (measurement.exact.rows() > 0)
     M = conditioning(M * state.prior, measurement.exact) * M;
   const StateMatrix F = motion.A * M;

@@ -43,6 +43,10 @@ StateMatrix unseen(const StateMatrix& U, const Measurement& m) {
     const StateMatrix C = m.exact.rowwise().normalized();
     T = T * null_space(C * T, kSameDirection);
   }
+  for (Eigen::Index i = 0; i < m.rows.rows() && T.cols() > 0; ++i) {
+    const StateMatrix h = m.rows.row(i).normalized();
+    T = T * null_space(h * T, kSameDirection);
+  }
   if (U.cols() == U.rows()) return T;
   return U * null_space(complement(T).transpose() * U, kSameDirection);
 }
@@ -112,7 +116,7 @@ CycleStep quotient(const CycleStep& step, const StateMatrix& V_before,
   return {{V_after.transpose() * motion.A * V_before,
            symmetric(V_after.transpose() * motion.Q * V_after)},
           {symmetric(V_after.transpose() * measurement.information * V_after),
-           measurement.exact * V_after}};
+           measurement.exact * V_after, in_terms_of(V_after, measurement.rows)}};
 }
 
 }  // namespace delos::riccati
