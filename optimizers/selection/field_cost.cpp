@@ -196,7 +196,9 @@ void FieldCost::solve(std::span<const double> w, bool fractions, double guess,
   out.at.besides = prior_ + guess;
   add_perfect_rows(w, fractions, pose, out.at);
   solver_->solve(out.at, request_, out.state);
-  if (out.state.status == RiccatiStatus::iteration_limit) unsettled_ = true;
+  // A tangent can be done without.
+  if (!fractions && out.state.status == RiccatiStatus::iteration_limit)
+    unsettled_ = true;
 }
 
 bool FieldCost::sees(const Turn& turn, std::size_t sample, std::size_t term) const {

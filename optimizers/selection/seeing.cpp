@@ -9,14 +9,15 @@ namespace {
 
 class SeeingSearch {
  public:
-  SeeingSearch(ChoiceCost& cost, const ChoiceRules& rules)
+  SeeingSearch(FieldCost& cost, const ChoiceRules& rules)
       : found(rules.size()), cost_(cost), rules_(rules) {}
 
   /// @returns whether `found` is one
   bool look(const std::vector<Decision>& decided) {
     const ChoicePolytope polytope(rules_, decided);
     if (!polytope.feasible() || asked_ > kMost) return false;
-    asked_ += 1 + polytope.open().size();
+    // The first way to the end is short.
+    if (ended_) asked_ += cost_.samples() * (1 + polytope.open().size());
     std::vector<Decision> decisions = polytope.decisions();
     std::vector<char> all(decisions.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -24,7 +25,10 @@ class SeeingSearch {
       found[i] = decisions[i] == Decision::in;
     }
     if (!is_blind(cost_of(cost_, found))) return true;
-    if (is_blind(cost_of(cost_, all))) return false;
+    if (is_blind(cost_of(cost_, all))) {
+      ended_ = true;
+      return false;
+    }
     std::vector<Change> changes;
     for (const std::size_t i : polytope.open()) changes.push_back({i, Change::kNobody});
     const std::vector<double> costs = cost_.changed(found, changes);
@@ -40,16 +44,17 @@ class SeeingSearch {
   std::vector<char> found;
 
  private:
-  static constexpr std::size_t kMost = 20000;
+  static constexpr std::size_t kMost = 200000;
 
-  ChoiceCost& cost_;
+  FieldCost& cost_;
   const ChoiceRules& rules_;
-  std::size_t asked_ = 0;  ///< how many choices were
+  bool ended_ = false;     ///< where nothing was seen
+  std::size_t asked_ = 0;  ///< samples of choices since then
 };
 
 }  // namespace
 
-std::optional<std::vector<char>> seeing_choice(ChoiceCost& cost,
+std::optional<std::vector<char>> seeing_choice(FieldCost& cost,
                                                const ChoiceRules& rules,
                                                const std::vector<Decision>& decisions) {
   SeeingSearch search(cost, rules);

@@ -10,13 +10,13 @@
 namespace delos {
 
 /// A choice that the rules and decisions allow and that leaves nothing blind; nullopt:
-/// there is none, or none was found within some thousands of choices.
+/// there is none, or none was found by looking at some hundred thousand samples.
 ///
 /// Candidates are chosen that leave the fewest directions blind, and left out where
 /// that leads nowhere: where what is left to choose, all of it together, doesn't see
 /// everything.
 [[nodiscard]] std::optional<std::vector<char>> seeing_choice(
-    ChoiceCost& cost, const ChoiceRules& rules, const std::vector<Decision>& decisions);
+    FieldCost& cost, const ChoiceRules& rules, const std::vector<Decision>& decisions);
 
 /// Say how blind samples are judged. What is blind whatever is chosen has the guess.
 /// Where a choice is found that leaves nothing else blind, others cost kBlindCost, so

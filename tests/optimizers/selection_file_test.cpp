@@ -64,7 +64,7 @@ TEST(KeptSelections, AreRefusedWhereTheirFileWasChanged) {
       "DELETE FROM selection_node",
       "INSERT INTO selection_node SELECT * FROM selection_node",
       "UPDATE selection_node SET decisions = ''",
-      "UPDATE selection_node SET decisions = '???'",
+      "UPDATE selection_node SET decisions = substr(decisions, 1, 3)",
       "UPDATE selection_node SET decisions = decisions || '?'",
       "UPDATE selection_node SET decisions = '000000'",
       "UPDATE selection_node SET decisions = NULL"};
