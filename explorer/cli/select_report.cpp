@@ -52,6 +52,13 @@ void print_names(std::ostream& out, const char* label,
   out << "\n";
 }
 
+/// What stands behind a value of which some samples are blind.
+std::string judged_by_guess(std::size_t blind, double guess) {
+  if (blind == 0) return "";
+  return ", " + counted(blind, "blind sample") + " by a guess of " +
+         format_quantity(guess, "m", 4);
+}
+
 void add_definition(Json& json, const CandidateScene& all) {
   json["fusion"] = to_string(definition_of(all.scene).fusion);
   json["covariance"] = to_string(all.scene.covariance);
@@ -72,6 +79,8 @@ Json select_json(const SelectResult& result) {
             {"certified", result.quantity},
             {"unit", result.unit},
             {"samples", result.samples},
+            {"blind", result.blind},
+            {"always_blind", result.always_blind},
             {"guess", number(result.guess)},
             {"candidates", result.all.candidates.size()},
             {"in_every", names_of(result, result.in_every)},
@@ -93,7 +102,16 @@ void print_selection(std::ostream& out, const SelectResult& r) {
   line("value") << format_quantity(r.value, r.unit, 4) << ", " << r.quantity << "\n";
   line("of the") << to_string(definition_of(r.all.scene)) << "\n";
   line("lower bound") << format_quantity(r.lower_bound, r.unit, 4)
-                      << ": no choice that the scene allows has less\n";
+                      << (r.blind > 0 && r.blind == r.always_blind
+                              ? ": no choice that leaves nothing else blind has less\n"
+                              : ": no choice that the scene allows has less\n");
+  if (r.blind > 0)
+    line("blind") << counted(r.blind, "sample") << ", judged by a guess of "
+                  << format_quantity(r.guess, "m", 4) << " and rad"
+                  << (r.always_blind > 0 ? "; " + std::to_string(r.always_blind) +
+                                               " whatever is chosen"
+                                         : std::string())
+                  << "\n";
   line("gap") << std::setprecision(3) << 100 * r.gap << " %"
               << (r.gap == r.variance_gap ? "" : ", of variances ");
   if (r.gap != r.variance_gap)
@@ -142,8 +160,12 @@ Json curve_json(const CountCurve& curve) {
                       {"value", number(p.value)},
                       {"lower_bound", number(p.lower_bound)},
                       {"gap", number(gap_of(p.value, p.lower_bound))},
+                      {"blind", p.blind},
                       {"chosen", chosen_names(curve.all, p.chosen)}});
-  Json json{{"certified", curve.quantity}, {"unit", curve.unit}, {"curve", points}};
+  Json json{{"certified", curve.quantity},
+            {"unit", curve.unit},
+            {"guess", number(curve.guess)},
+            {"curve", points}};
   add_definition(json, curve.all);
   return json;
 }
@@ -156,7 +178,8 @@ void print_curve(std::ostream& out, const CountCurve& curve) {
     out << "  " << cell(std::to_string(p.count), 7)
         << cell(format_quantity(p.value, curve.unit, 4), 14)
         << cell(format_quantity(p.lower_bound, curve.unit, 4), 14)
-        << percent(gap_of(p.value, p.lower_bound)) << "\n";
+        << percent(gap_of(p.value, p.lower_bound))
+        << judged_by_guess(p.blind, curve.guess) << "\n";
 }
 
 Json removal_json(const RemovalOrder& order) {
@@ -165,9 +188,11 @@ Json removal_json(const RemovalOrder& order) {
     removals.push_back({{"remove", order.all.candidates[r.candidate].name},
                         {"left", r.left},
                         {"value", number(r.value)},
-                        {"lower_bound", number(r.lower_bound)}});
+                        {"lower_bound", number(r.lower_bound)},
+                        {"blind", r.blind}});
   Json json{{"certified", order.quantity},
             {"unit", order.unit},
+            {"guess", number(order.guess)},
             {"all_chosen", number(order.all_chosen)},
             {"removals", removals}};
   add_definition(json, order.all);
@@ -184,7 +209,8 @@ void print_removals(std::ostream& out, const RemovalOrder& order) {
     out << "  " << cell(std::to_string(r.left), 7)
         << cell(format_quantity(r.value, order.unit, 4), 14)
         << cell(format_quantity(r.lower_bound, order.unit, 4), 14)
-        << order.all.candidates[r.candidate].name << "\n";
+        << order.all.candidates[r.candidate].name
+        << judged_by_guess(r.blind, order.guess) << "\n";
 }
 
 }  // namespace delos::cli

@@ -116,6 +116,7 @@ class Search {
     options.stop = options_.stop;
     result_.root = relax(cost_, polytope, std::vector<double>(n, 0.0), options);
     const std::vector<double> w = result_.root.w;
+    if (!options_.first.empty()) offer(options_.first, polytope.decisions(), true);
     offer(rounded(rules_, polytope.decisions(), w), polytope.decisions(), true);
     std::mt19937_64 random(options_.seed);
     std::vector<double> preference(n);

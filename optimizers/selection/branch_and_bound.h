@@ -40,6 +40,7 @@ struct BranchOptions {
   double gap = 0;              ///< best ≤ (1 + gap) bound is enough
   std::uint64_t seed = 1;      ///< of the choices that are tried first
   int tries = 8;               ///< so many of them
+  std::vector<char> first;     ///< a choice that is tried before; empty: none
   std::function<bool()> stop;  ///< asked often
   std::function<void(const BranchProgress&)> progress;
   /// Called now and then, and at the end, with what resume() needs.

@@ -5,6 +5,7 @@
 #include "delos/optimize/choices.h"
 #include "selection/branch_and_bound.h"
 #include "selection/question.h"
+#include "selection/seeing.h"
 
 namespace delos {
 
@@ -26,6 +27,7 @@ CountCurve count_curve(const Scene& scene, PluginRegistry& plugins,
   CountCurve curve;
   curve.quantity = quantity.text;
   curve.unit = quantity.unit;
+  curve.guess = q.guess;
   using Clock = std::chrono::steady_clock;
   for (int count = from; count <= to; ++count) {
     if (options.cancel && *options.cancel) break;
@@ -38,10 +40,16 @@ CountCurve count_curve(const Scene& scene, PluginRegistry& plugins,
              std::chrono::duration<double>(Clock::now() - start).count() >
                  options.seconds;
     };
-    const BranchResult found =
-        branch_and_bound(*cost, rules_for(q.all, count), q.decisions, branch);
+    const ChoiceRules rules = rules_for(q.all, count);
+    branch.first = judge_blind_samples(*cost, rules, q.decisions);
+    const BranchResult found = branch_and_bound(*cost, rules, q.decisions, branch);
     check_settled(*cost);
-    CountPoint point{count, {}, quantity.of(found.best.cost), quantity.of(found.bound)};
+    check_judged(found.best);
+    CountPoint point{count,
+                     {},
+                     quantity.of(found.best.cost),
+                     quantity.of(found.bound),
+                     cost->blind_samples(found.best.chosen).size()};
     for (std::size_t i = 0; i < cost->size(); ++i)
       if (found.best.chosen[i]) point.chosen.push_back(i);
     if (progress) progress(point);

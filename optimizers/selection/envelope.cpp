@@ -4,6 +4,7 @@
 #include "delos/optimize/choices.h"
 #include "selection/branch_and_bound.h"
 #include "selection/question.h"
+#include "selection/seeing.h"
 
 namespace delos {
 namespace {
@@ -53,9 +54,13 @@ Field selection_envelope(const Scene& scene, PluginRegistry& plugins,
     branch.seed = options.seed;
     branch.tries = 1;
     branch.stop = [&] { return options.cancel && *options.cancel; };
+    branch.first = judge_blind_samples(*cost, q.rules, q.decisions);
     const BranchResult found = branch_and_bound(*cost, q.rules, q.decisions, branch);
     check_settled(*cost);
-    field.value[s] = quantity.of(found.bound);
+    if (cost->blind_samples(found.best.chosen).empty())
+      field.value[s] = quantity.of(found.bound);
+    else
+      field.observable[s] = 0;
     field.evaluated = s + 1;
     if (options.progress) options.progress({0, field.value[s], s + 1});
   }

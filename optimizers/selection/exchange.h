@@ -13,7 +13,7 @@ namespace delos {
 /// A whole choice and its cost.
 struct Choice {
   std::vector<char> chosen;  ///< one flag a candidate
-  double cost = 0;           ///< +∞ where it doesn't observe everything
+  double cost = 0;           ///< is_blind() where it doesn't observe everything
 };
 
 /// A choice that the rules allow: decided ones, then candidates in the order of a

@@ -10,6 +10,7 @@
 #include "delos/model/metric_table.h"
 #include "delos/sampling/samples.h"
 #include "delos/steady/combine.h"
+#include "delos/steady/state_metric.h"
 
 namespace delos {
 namespace {
@@ -79,16 +80,18 @@ struct FieldCost::Sample {
 
 FieldCost::FieldCost(const System& system, const CandidateScene& all,
                      const Samples& samples, const Orientations& orientations,
-                     std::vector<VarianceTerm> terms, int threads)
+                     std::vector<VarianceTerm> terms, double guess, int threads)
     : layout_(system.motion.layout),
       combine_(orientations.combine),
       terms_(std::move(terms)),
       kind_(system.covariance),
       solver_(make_smooth_steady_solver(system)),
       request_(request_for(system, metrics_of(terms_))),
-      known_(
-          candidate_information(system, all, poses_of(samples, orientations), threads)),
+      known_(candidate_information(system, all, poses_of(samples, orientations),
+                                   threads, solver_->reads_rows())),
       excluded_(all.candidates.size(), 0),
+      prior_(system.prior),
+      guess_(guess),
       size_(all.candidates.size()),
       samples_(samples.points.size()),
       turns_(orientations.rpy.size()),
@@ -113,14 +116,15 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
     for (std::size_t e = known_.first_exact[p]; e < known_.first_exact[p + 1]; ++e)
       if (known_.exact[e].candidate >= 0) sees(known_.exact[e].candidate, p / turns_);
   }
+  guess_the_blind();
   const std::vector<double> everything(size_, 1.0);
   std::vector<double> values(terms_.size());
   Scratch scratch(*this);
   scale_.assign(terms_.size(), std::vector<double>(samples_, 1));
   for (std::size_t s = 0; s < samples_; ++s) {
-    if (!hard(everything, s, scratch, values.data())) continue;
+    hard(everything, s, scratch, values.data());
     for (std::size_t t = 0; t < terms_.size(); ++t)
-      if (values[t] > 0) scale_[t][s] = values[t];
+      if (values[t] > 0 && !is_blind(values[t])) scale_[t][s] = values[t];
   }
 }
 
@@ -152,6 +156,17 @@ void FieldCost::add_information(std::span<const double> w, std::size_t pose,
   }
   for (std::size_t k = 0; k < packed_; ++k) sum[k] *= share;
   at.add(0, sum);
+  if (known_.first_reading.empty()) return;
+  for (std::size_t e = known_.first_reading[pose]; e < known_.first_reading[pose + 1];
+       ++e) {
+    const std::int32_t reader = known_.reader[e];
+    const double weight = reader < 0 ? 1 : w[static_cast<std::size_t>(reader)];
+    if (weight == 0) continue;
+    const auto columns = static_cast<std::size_t>(known_.columns);
+    at.add_reading(Eigen::Map<const Eigen::RowVectorXd>(&known_.readings[e * columns],
+                                                        known_.columns),
+                   weight * share);
+  }
 }
 
 void FieldCost::add_perfect_rows(std::span<const double> w, bool fractions,
@@ -167,44 +182,87 @@ void FieldCost::add_perfect_rows(std::span<const double> w, bool fractions,
   }
 }
 
-bool FieldCost::solve(std::span<const double> w, bool fractions, std::size_t sample,
-                      std::size_t turn, Turn& out) const {
+/// @param guess information about each coordinate of the pose besides
+void FieldCost::solve(std::span<const double> w, bool fractions, double guess,
+                      std::size_t sample, std::size_t turn, Turn& out) const {
   const std::size_t pose = sample * turns_ + turn, merged = turns_ / solved_;
   out.at.clear();
   for (std::size_t t = 0; t < merged; ++t)
     add_information(w, pose + t, 1 / static_cast<double>(merged), out.at);
+  out.at.steps.front()
+      .measurement.information.diagonal()
+      .head(layout_.coordinates())
+      .array() += guess;
+  out.at.besides = prior_ + guess;
   add_perfect_rows(w, fractions, pose, out.at);
   solver_->solve(out.at, request_, out.state);
-  if (out.state.status == RiccatiStatus::iteration_limit) unsettled_ = true;
-  return out.state.status == RiccatiStatus::converged;
+  // A tangent can be done without.
+  if (!fractions && out.state.status == RiccatiStatus::iteration_limit)
+    unsettled_ = true;
 }
 
-/// φ of each term at one sample; false where it isn't finite.
-bool FieldCost::hard(std::span<const double> w, std::size_t sample, Scratch& scratch,
+bool FieldCost::sees(const Turn& turn, std::size_t sample, std::size_t term) const {
+  return terms_[term].samples[sample] == 0 ||
+         std::isfinite(state_metric(terms_[term].metric, layout_, turn.state, kind_));
+}
+
+bool FieldCost::counts(std::size_t sample) const {
+  return std::any_of(terms_.begin(), terms_.end(), [&](const VarianceTerm& term) {
+    return term.samples[sample] > 0;
+  });
+}
+
+/// φ of each term at one sample.
+void FieldCost::hard(std::span<const double> w, std::size_t sample, Scratch& scratch,
                      double* values) const {
   const std::size_t count = terms_.size();
   for (std::size_t t = 0; t < solved_; ++t) {
     Turn& turn = scratch.turns[t];
-    if (!solve(w, false, sample, t, turn)) {
-      std::fill_n(values, count, kInfinity);
-      return false;
-    }
-    for (std::size_t k = 0; k < count; ++k)
-      scratch.of_turns[t * count + k] =
-          variance_value(terms_[k].metric, layout_, turn.state.covariance(kind_));
+    double* of_turn = &scratch.of_turns[t * count];
+    const auto read = [&] {
+      bool all = true;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (!is_blind(of_turn[k])) continue;
+        if (sees(turn, sample, k))
+          of_turn[k] =
+              variance_value(terms_[k].metric, layout_, turn.state.covariance(kind_));
+        else
+          of_turn[k] = kBlindCost * std::max<double>(1, turn.state.unobservable.cols());
+        all &= !is_blind(of_turn[k]);
+      }
+      return all;
+    };
+    std::fill_n(of_turn, count, kInfinity);
+    solve(w, false, 0, sample, t, turn);
+    if (read() || guess_ == 0 || !guessed_[sample * solved_ + t]) continue;
+    solve(w, false, guess_, sample, t, turn);
+    read();
   }
   for (std::size_t k = 0; k < count; ++k)
     values[k] = combine(combine_, solved_, false, [&](std::size_t t) {
                   return scratch.of_turns[t * count + k];
                 }).value;
-  return true;
+}
+
+/// Solve what has a tangent: with the guess where blind samples are judged by it, or
+/// where directions are lost that no term reads.
+bool FieldCost::soft_turn(std::span<const double> w, std::size_t sample,
+                          std::size_t turn, Turn& out) const {
+  const bool guessed = guessed_[sample * solved_ + turn];
+  solve(w, true, guessed ? guess_ : 0, sample, turn, out);
+  if (out.state.status == RiccatiStatus::converged) return true;
+  if (guessed || guess_ == 0) return false;
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    if (!sees(out, sample, k)) return false;
+  solve(w, true, guess_, sample, turn, out);
+  return out.state.status == RiccatiStatus::converged;
 }
 
 /// φ̃, its minorant and its slopes at one sample.
 bool FieldCost::soft(std::span<const double> w, double sharpness, std::size_t sample,
                      Scratch& scratch, Sample& out) const {
   for (std::size_t t = 0; t < solved_; ++t)
-    if (!solve(w, true, sample, t, scratch.turns[t])) return false;
+    if (!soft_turn(w, sample, t, scratch.turns[t])) return false;
   out.smooth.assign(terms_.size(), 0);
   out.level.assign(terms_.size(), 0);
   out.slope.assign(terms_.size(), std::vector<double>(turns_ * packed_, 0.0));
@@ -279,7 +337,7 @@ void FieldCost::accumulate(std::size_t sample, const Sample& part,
   }
 }
 
-/// @param values samples × terms; +∞ where P∞ isn't finite
+/// @param values samples × terms
 double FieldCost::total(const std::vector<double>& values) const {
   const std::size_t count = terms_.size();
   double total = 0;
@@ -289,8 +347,9 @@ double FieldCost::total(const std::vector<double>& values) const {
     for (std::size_t s = 0; s < samples_; ++s) {
       if (term.samples[s] == 0) continue;
       const double value = values[s * count + k];
-      of_term =
-          term.maximum ? std::max(of_term, value) : of_term + term.samples[s] * value;
+      // Of what is blind, the more the worse.
+      of_term = term.maximum && !is_blind(value) ? std::max(of_term, value)
+                                                 : of_term + term.samples[s] * value;
     }
     total += term.weight * of_term;
   }
@@ -349,7 +408,7 @@ bool FieldCost::tangent(std::span<const double> w, double sharpness, Tangent& ou
   each_chunk([&](std::size_t c, std::size_t first, std::size_t end) {
     Scratch scratch(*this);
     for (std::size_t s = first; s < end && finite[c]; ++s)
-      finite[c] = soft(w, sharpness, s, scratch, parts[s]);
+      if (counts(s)) finite[c] = soft(w, sharpness, s, scratch, parts[s]);
   });
   if (std::find(finite.begin(), finite.end(), 0) != finite.end()) return false;
 
@@ -382,7 +441,7 @@ bool FieldCost::tangent(std::span<const double> w, double sharpness, Tangent& ou
   std::vector<double> slopes(kParts * size_, 0.0);
   each_chunk([&](std::size_t c, std::size_t first, std::size_t end) {
     for (std::size_t s = first; s < end; ++s)
-      accumulate(s, parts[s], pull[s], &slopes[c * size_]);
+      if (counts(s)) accumulate(s, parts[s], pull[s], &slopes[c * size_]);
   });
   out.slope.assign(size_, 0.0);
   for (std::size_t c = 0; c < kParts; ++c)
@@ -390,12 +449,49 @@ bool FieldCost::tangent(std::span<const double> w, double sharpness, Tangent& ou
   return true;
 }
 
-std::size_t FieldCost::blind_sample(std::span<const double> w) {
+std::size_t FieldCost::hopeless_sample() {
+  const std::vector<double> everything(size_, 1.0);
   std::vector<double> values(terms_.size());
   Scratch scratch(*this);
-  for (std::size_t s = 0; s < samples_; ++s)
-    if (!hard(w, s, scratch, values.data())) return s;
+  for (std::size_t s = 0; s < samples_; ++s) {
+    hard(everything, s, scratch, values.data());
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      if (terms_[k].samples[s] > 0 && is_blind(values[k])) return s;
+  }
   return samples_;
+}
+
+void FieldCost::guess_the_blind() { guessed_.assign(samples_ * solved_, 1); }
+
+void FieldCost::guess_the_always_blind(std::span<const char> available) {
+  const std::vector<double> w(available.begin(), available.end());
+  each_chunk([&](std::size_t, std::size_t first, std::size_t end) {
+    Scratch scratch(*this);
+    for (std::size_t s = first; s < end; ++s)
+      for (std::size_t t = 0; t < solved_; ++t) {
+        solve(w, false, 0, s, t, scratch.turns[t]);
+        char& guessed = guessed_[s * solved_ + t];
+        guessed = 0;
+        for (std::size_t k = 0; k < terms_.size(); ++k)
+          guessed |= !sees(scratch.turns[t], s, k);
+      }
+  });
+}
+
+std::vector<std::size_t> FieldCost::blind_samples(std::span<const char> chosen) {
+  const std::vector<double> w(chosen.begin(), chosen.end());
+  Scratch scratch(*this);
+  std::vector<std::size_t> blind;
+  for (std::size_t s = 0; s < samples_; ++s) {
+    bool sees_all = true;
+    for (std::size_t t = 0; t < solved_; ++t) {
+      solve(w, false, 0, s, t, scratch.turns[t]);
+      for (std::size_t k = 0; k < terms_.size(); ++k)
+        sees_all &= sees(scratch.turns[t], s, k);
+    }
+    if (!sees_all) blind.push_back(s);
+  }
+  return blind;
 }
 
 }  // namespace delos

@@ -21,6 +21,11 @@ namespace delos {
 /// φ is variance_value() of the metric: P_ii, a trace, the largest eigenvalue, or the
 /// Frobenius norm of a block. All are convex and rise with P, and P∞ is convex and
 /// falls with S, which is linear in w: f is convex.
+///
+/// A sample is blind where a field of the choice says so: where a metric reads a
+/// direction that the solver of fields calls lost. It then costs kBlindCost for each,
+/// or what it costs with a guess of the pose beside what is known. A guess only ever
+/// lowers a cost: tangents of f with it lie below f without it.
 struct VarianceTerm {
   Metric metric;
   double weight = 1;
@@ -33,10 +38,12 @@ struct VarianceTerm {
 
 class FieldCost final : public ChoiceCost {
  public:
+  /// @param guess information, as System::prior, by which blind samples are judged: all
+  ///        of them at first
   /// @pre adjoint_problem() is empty
   FieldCost(const System& system, const CandidateScene& all, const Samples& samples,
             const Orientations& orientations, std::vector<VarianceTerm> terms,
-            int threads);
+            double guess, int threads);
 
   [[nodiscard]] std::size_t size() const override { return size_; }
   [[nodiscard]] double value(std::span<const double> w) override;
@@ -49,10 +56,17 @@ class FieldCost final : public ChoiceCost {
   }
   void exclude(std::span<const char> out) override;
 
-  /// A sample whose variance isn't finite at w; samples() where there is none.
-  [[nodiscard]] std::size_t blind_sample(std::span<const double> w);
+  /// A sample that is blind even with every candidate and the guess; samples(): none.
+  [[nodiscard]] std::size_t hopeless_sample();
+  /// Judge by the guess what is blind whatever is chosen, and nothing else.
+  /// @param available one flag a candidate: it may be chosen
+  void guess_the_always_blind(std::span<const char> available);
+  /// Judge by the guess whatever a choice leaves blind.
+  void guess_the_blind();
+  /// The samples that a choice leaves blind, judged by the guess or not.
+  [[nodiscard]] std::vector<std::size_t> blind_samples(std::span<const char> chosen);
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Whether some equation wasn't solved, so that what was found proves nothing.
+  /// Whether that of some whole choice wasn't solved, so that what was found proves nothing.
   [[nodiscard]] bool unsettled() const { return unsettled_; }
 
  private:
@@ -64,12 +78,17 @@ class FieldCost final : public ChoiceCost {
   /// Rows without noise. @param fractions whether open candidates have theirs
   void add_perfect_rows(std::span<const double> w, bool fractions, std::size_t pose,
                         SteadyEquation& at) const;
-  /// @returns whether P∞ is finite
-  bool solve(std::span<const double> w, bool fractions, std::size_t sample,
-             std::size_t turn, Turn& out) const;
+  void solve(std::span<const double> w, bool fractions, double guess,
+             std::size_t sample, std::size_t turn, Turn& out) const;
+  /// Whether what a term reads of a sample is finite, if it reads anything.
+  [[nodiscard]] bool sees(const Turn& turn, std::size_t sample, std::size_t term) const;
+  /// Whether some term reads a sample.
+  [[nodiscard]] bool counts(std::size_t sample) const;
   [[nodiscard]] double total(const std::vector<double>& values) const;
-  bool hard(std::span<const double> w, std::size_t sample, Scratch& scratch,
+  void hard(std::span<const double> w, std::size_t sample, Scratch& scratch,
             double* values) const;
+  bool soft_turn(std::span<const double> w, std::size_t sample, std::size_t turn,
+                 Turn& out) const;
   bool soft(std::span<const double> w, double sharpness, std::size_t sample,
             Scratch& scratch, Sample& out) const;
   void soft_term(std::size_t term, double sharpness, Scratch& scratch,
@@ -90,6 +109,8 @@ class FieldCost final : public ChoiceCost {
   mutable std::atomic<bool> unsettled_ = false;
   std::vector<std::size_t> whole_ones_;
   std::vector<char> excluded_;
+  double prior_, guess_;
+  std::vector<char> guessed_;  ///< solved turns: judged by the guess where blind
   std::vector<std::vector<std::uint32_t>> seen_by_;  ///< samples that see a candidate
   std::size_t size_, samples_, turns_;
   std::size_t solved_;  ///< turns that are solved: solved_turns()

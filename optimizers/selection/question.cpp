@@ -62,6 +62,17 @@ std::vector<Decision> decisions_of(const CandidateScene& all) {
   return decisions;
 }
 
+/// Why no candidate can be chosen.
+std::string nothing_to_choose(const Question& q) {
+  const auto left_out =
+      std::count(q.decisions.begin(), q.decisions.end(), Decision::out);
+  if (left_out == static_cast<std::ptrdiff_t>(q.decisions.size()))
+    return "selection.leave_out names every candidate, so that none can be chosen";
+  const double least = *std::min_element(q.rules.cost.begin(), q.rules.cost.end());
+  return "no candidate fits into the budget: the cheapest costs " + shortest(least) +
+         ", selection.budget is " + shortest(q.rules.budget);
+}
+
 }  // namespace
 
 std::vector<unsigned char> samples_inside_solids(const System& system,
@@ -96,7 +107,6 @@ Question question_of(const Scene& scene, PluginRegistry& plugins,
   q.guess = scene.objective.guess > 0
                 ? scene.objective.guess
                 : typical_guess(q.system, q.samples.samples, scene.orientations);
-  q.system.prior = guess_information(q.system, q.guess);
   q.rules = rules_of(q.all);
   q.decisions = decisions_of(q.all);
   const ChoicePolytope polytope(q.rules, q.decisions);
@@ -105,7 +115,7 @@ Question question_of(const Scene& scene, PluginRegistry& plugins,
   const auto is_in = [](Decision d) { return d == Decision::in; };
   if (polytope.open().empty() &&
       std::none_of(q.decisions.begin(), q.decisions.end(), is_in))
-    throw std::invalid_argument("no candidate fits into the budget");
+    throw std::invalid_argument(nothing_to_choose(q));
   return q;
 }
 
@@ -141,12 +151,13 @@ ChoiceRules rules_for(const CandidateScene& all, int count) {
 }
 
 std::unique_ptr<FieldCost> cost_of(const Question& q, int threads) {
-  auto cost = std::make_unique<FieldCost>(q.system, q.all, q.samples.samples,
-                                          q.all.scene.orientations, q.terms, threads);
-  const std::size_t blind = cost->blind_sample(std::vector<double>(cost->size(), 1.0));
-  if (blind < cost->samples())
+  auto cost = std::make_unique<FieldCost>(
+      q.system, q.all, q.samples.samples, q.all.scene.orientations, q.terms,
+      guess_information(q.system, q.guess), threads);
+  const std::size_t hopeless = cost->hopeless_sample();
+  if (hopeless < cost->samples())
     throw std::invalid_argument(
-        "at " + coordinates(q.samples.samples.points[blind]) +
+        "at " + coordinates(q.samples.samples.points[hopeless]) +
         " the state isn't observable even if every candidate is chosen");
   return cost;
 }
@@ -155,7 +166,15 @@ void check_settled(const FieldCost& cost) {
   if (cost.unsettled())
     throw std::invalid_argument(
         "the steady state of some choices didn't settle, so that nothing is proven: "
-        "rows without noise may measure states that no noise drives");
+        "rows with little or no noise may measure states that no noise drives, or "
+        "states that drift may hardly be measured");
+}
+
+void check_judged(const Choice& best) {
+  if (is_blind(best.cost))
+    throw std::invalid_argument(
+        "no choice that was found observes the state, not even with a guess of the "
+        "pose; allow more");
 }
 
 }  // namespace delos

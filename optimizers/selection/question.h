@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "delos/optimize/select.h"
 #include "problem/search_samples.h"
+#include "selection/exchange.h"
 #include "selection/field_cost.h"
 #include "selection/polytope.h"
 
@@ -19,7 +21,7 @@ struct Question {
   System system;
   SearchSamples samples;
   std::vector<VarianceTerm> terms;
-  double guess = 0;
+  double guess = 0;  ///< metres and radians, by which blind samples are judged
   ChoiceRules rules;
   std::vector<Decision> decisions;
 };
@@ -42,12 +44,17 @@ struct Question {
 /// @throws std::invalid_argument some equation wasn't solved
 void check_settled(const FieldCost& cost);
 
+/// @throws std::invalid_argument the best choice is blind, whatever the guess
+void check_judged(const Choice& best);
+
 /// What is certified, as a standard deviation where there is one.
 struct Quantity {
   bool root = false;
   double weight = 1;
   std::string text, unit;
+  /// +∞ where something is blind.
   [[nodiscard]] double of(double cost) const {
+    if (is_blind(cost)) return std::numeric_limits<double>::infinity();
     return root ? std::sqrt(cost / weight) : cost;
   }
   /// The gap of costs that goes with one of the quantity: a small relative change of a

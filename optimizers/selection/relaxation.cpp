@@ -25,8 +25,11 @@ class ConvexDescent {
   ConvexDescent(ChoiceCost& cost, const ChoicePolytope& polytope,
                 const RelaxationOptions& options)
       : cost_(cost), polytope_(polytope), options_(options) {
+    // No cost is below zero; whatever else is decided, it may be that.
     best.value = kInfinity;
     best.bound = 0;
+    best.linear.if_in.assign(cost.size(), 0.0);
+    best.linear.if_out.assign(cost.size(), 0.0);
   }
 
   bool begin(std::vector<double> start) {
@@ -108,8 +111,8 @@ class ConvexDescent {
     const double at = dot(out.slope, w);
     const double bound = out.level + linear.value - at -
                          kRounding * (std::abs(out.level) + std::abs(at));
-    if (bound > best.bound || best.linear.if_in.empty()) {
-      best.bound = std::max(best.bound, bound);
+    if (bound > best.bound) {
+      best.bound = bound;
       best.linear = std::move(linear);
     }
     if (out.smooth < best.value) {
@@ -141,10 +144,12 @@ Relaxation relax(ChoiceCost& cost, const ChoicePolytope& polytope,
                  std::vector<double> start, const RelaxationOptions& options) {
   ConvexDescent search(cost, polytope, options);
   if (!search.begin(std::move(start))) {
-    // Not even all fractions together observe everything.
-    search.best.bound = search.best.value = kInfinity;
-    search.best.linear.if_in.assign(cost.size(), 0.0);
-    search.best.linear.if_out.assign(cost.size(), 0.0);
+    // Nothing can be said, but where not even all together see everything.
+    std::vector<double> all(cost.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = polytope.decisions()[i] != Decision::out;
+    search.best.value = kInfinity;
+    search.best.bound = is_blind(cost.value(all)) ? kInfinity : 0;
     return search.best;
   }
   for (const double sharpness : kSharpness) {

@@ -32,7 +32,7 @@ struct Relaxation {
 /// kept: it holds wherever the search ends.
 ///
 /// Source: Birgin, Martínez, Raydan (2000), SIAM J. Optim. 10(4), 1196–1211.
-/// @param start any point; +∞ there is met by choosing everything a little
+/// @param start any point; where it is blind everything is chosen a little
 [[nodiscard]] Relaxation relax(ChoiceCost& cost, const ChoicePolytope& polytope,
                                std::vector<double> start,
                                const RelaxationOptions& options);

@@ -19,6 +19,9 @@ RemovalOrder removal_order(const Scene& scene, PluginRegistry& plugins,
   std::vector<char> chosen;
   for (const Decision decision : q.decisions)
     chosen.push_back(decision != Decision::out);
+  order.guess = q.guess;
+  const std::vector<char> available = chosen;
+  cost->guess_the_always_blind(available);
   order.all_chosen = quantity.of(cost_of(*cost, chosen));
   std::vector<double> w(chosen.begin(), chosen.end());
   while (!q.rules.allow(chosen) && !stopped()) {
@@ -27,11 +30,17 @@ RemovalOrder removal_order(const Scene& scene, PluginRegistry& plugins,
       if (chosen[i] && q.decisions[i] != Decision::in)
         changes.push_back({Change::kNobody, i});
     if (changes.empty()) break;
+    cost->guess_the_always_blind(available);
     const std::vector<double> costs = cost->changed(chosen, changes);
     const auto least = std::min_element(costs.begin(), costs.end());
     const std::size_t out =
         changes[static_cast<std::size_t>(least - costs.begin())].out;
     chosen[out] = 0;
+    double value = *least;
+    if (is_blind(value)) {
+      cost->guess_the_blind();
+      value = cost_of(*cost, chosen);
+    }
 
     const auto left = static_cast<int>(std::count(chosen.begin(), chosen.end(), 1));
     const ChoiceRules rules = rules_for(q.all, left);
@@ -46,8 +55,9 @@ RemovalOrder removal_order(const Scene& scene, PluginRegistry& plugins,
     relaxation.stop = stopped;
     const Relaxation bound = relax(*cost, polytope, w, relaxation);
     w = bound.w;
-    order.removals.push_back(
-        {out, left, quantity.of(*least), quantity.of(std::min(bound.bound, *least))});
+    order.removals.push_back({out, left, quantity.of(value),
+                              quantity.of(std::min(bound.bound, value)),
+                              cost->blind_samples(chosen).size()});
     if (options.progress)
       options.progress({order.removals.back().value, order.removals.back().lower_bound,
                         order.removals.size()});

@@ -1,7 +1,12 @@
 #include "selection/state_file.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <stdexcept>
 
+#include "selection/exchange.h"
 #include "study/database.h"
 
 namespace delos {
@@ -10,7 +15,8 @@ namespace {
 constexpr const char* kTables =
     "CREATE TABLE selection (scene TEXT, samples INTEGER, seed INTEGER);"
     "CREATE TABLE selection_state (best TEXT, cost REAL, closed REAL, nodes INTEGER,"
-    " root_w BLOB, root_value REAL, root_bound REAL, if_in BLOB, if_out BLOB);"
+    " root_w BLOB, root_value REAL, root_bound REAL, if_in BLOB, if_out BLOB,"
+    " checksum INTEGER);"
     "CREATE TABLE selection_node (bound REAL, number INTEGER, decisions TEXT, w BLOB);";
 
 /// One character a candidate.
@@ -30,10 +36,88 @@ std::vector<Decision> as_decisions(const std::string& text) {
   return decisions;
 }
 
+/// Fowler, Noll and Vo's FNV-1a of all that a state holds, 64 bits.
+class Checksum {
+ public:
+  explicit Checksum(const BranchState& state) {
+    add(state.best.chosen);
+    add(state.best.cost);
+    add(state.closed);
+    add(state.nodes);
+    add(state.root.w);
+    add(state.root.value);
+    add(state.root.bound);
+    add(state.root.linear.if_in);
+    add(state.root.linear.if_out);
+    add(state.open.size());
+    for (const BranchNode& node : state.open) {
+      add(node.bound);
+      add(node.number);
+      add(node.decisions);
+      add(node.w);
+    }
+  }
+  [[nodiscard]] std::int64_t value() const { return static_cast<std::int64_t>(sum_); }
+
+ private:
+  template <class T>
+  void add(const T& number) {
+    unsigned char bytes[sizeof(T)];
+    std::memcpy(bytes, &number, sizeof(T));
+    for (const unsigned char byte : bytes)
+      sum_ = (sum_ ^ byte) * std::uint64_t{0x100000001b3};
+  }
+  template <class T>
+  void add(const std::vector<T>& list) {
+    add(list.size());
+    for (const T& item : list) add(item);
+  }
+
+  std::uint64_t sum_ = 0xcbf29ce484222325;
+};
+
+/// Whether there are n numbers from 0 to `most`, but for rounding.
+bool are_numbers(const std::vector<double>& list, std::size_t n, double most) {
+  return list.size() == n && std::all_of(list.begin(), list.end(), [most](double x) {
+           return x >= -1e-9 && x <= most + 1e-9;
+         });
+}
+
+/// Whether a choice or a node decides as was decided in advance.
+template <class Differs>
+bool keeps(const std::vector<Decision>& decisions, Differs&& differs) {
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (decisions[i] != Decision::open && differs(i)) return false;
+  return true;
+}
+
+/// Whether a search by these rules can be in such a state.
+bool is_possible(const BranchState& state, const ChoiceRules& rules,
+                 const std::vector<Decision>& decisions) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const std::size_t n = rules.size();
+  const auto& [best, closed, nodes, open, root] = state;
+  if (best.chosen.size() != n || !rules.allow(best.chosen) || !(closed >= 0) ||
+      !keeps(decisions, [&](std::size_t i) {
+        return (best.chosen[i] != 0) != (decisions[i] == Decision::in);
+      }))
+    return false;
+  if (!are_numbers(root.w, n, 1) || !are_numbers(root.linear.if_in, n, kAny) ||
+      !are_numbers(root.linear.if_out, n, kAny) || !(root.bound >= 0))
+    return false;
+  return std::all_of(open.begin(), open.end(), [&](const BranchNode& node) {
+    return node.decisions.size() == n && are_numbers(node.w, n, 1) && node.bound >= 0 &&
+           node.number < nodes && keeps(decisions, [&](std::size_t i) {
+             return node.decisions[i] != decisions[i];
+           });
+  });
+}
+
 }  // namespace
 
 struct SelectionFile::State {
   Database database;
+  std::filesystem::path file;
 };
 
 SelectionFile::SelectionFile(const std::filesystem::path& file,
@@ -55,7 +139,7 @@ SelectionFile::SelectionFile(const std::filesystem::path& file,
     }
     std::filesystem::rename(unborn, file);
   }
-  state_ = std::make_unique<State>(State{Database(file, false)});
+  state_ = std::make_unique<State>(State{Database(file, false), file});
   Statement known =
       state_->database.prepare("SELECT 1 FROM sqlite_master WHERE name = 'selection'");
   if (!known.step())
@@ -71,7 +155,9 @@ SelectionFile::SelectionFile(const std::filesystem::path& file,
 
 SelectionFile::~SelectionFile() = default;
 
-std::optional<BranchState> SelectionFile::load() const {
+std::optional<BranchState> SelectionFile::load(
+    ChoiceCost& cost, const ChoiceRules& rules,
+    const std::vector<Decision>& decisions) const {
   Statement row = state_->database.prepare("SELECT * FROM selection_state");
   if (!row.step()) return std::nullopt;
   BranchState state;
@@ -88,6 +174,14 @@ std::optional<BranchState> SelectionFile::load() const {
   while (node.step())
     state.open.push_back({node.real(0), static_cast<std::size_t>(node.integer(1)),
                           as_decisions(node.text(2)), node.numbers(3)});
+  // What the choice costs is asked again: another version may see it otherwise.
+  const bool whole =
+      Checksum(state).value() == row.integer(9) && is_possible(state, rules, decisions);
+  if (!whole || !(std::abs(cost_of(cost, state.best.chosen) - state.best.cost) <=
+                  1e-9 * state.best.cost))
+    throw std::runtime_error(state_->file.string() +
+                             " is damaged, or of another version; delete it to start "
+                             "again");
   return state;
 }
 
@@ -98,7 +192,8 @@ void SelectionFile::save(const BranchState& state) {
     database.run("DELETE FROM selection_state; DELETE FROM selection_node");
     std::string best;
     for (const char c : state.best.chosen) best += c ? '1' : '0';
-    database.prepare("INSERT INTO selection_state VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
+    database
+        .prepare("INSERT INTO selection_state VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(1, best)
         .bind(2, state.best.cost)
         .bind(3, state.closed)
@@ -108,6 +203,7 @@ void SelectionFile::save(const BranchState& state) {
         .bind(7, state.root.bound)
         .bind(8, std::span<const double>(state.root.linear.if_in))
         .bind(9, std::span<const double>(state.root.linear.if_out))
+        .bind(10, Checksum(state).value())
         .step();
     for (const BranchNode& node : state.open)
       database.prepare("INSERT INTO selection_node VALUES (?, ?, ?, ?)")

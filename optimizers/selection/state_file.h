@@ -16,7 +16,8 @@ struct SelectionKey {
   std::uint64_t seed = 1;
 };
 
-/// An SQLite file with the state of a search. Each save is one transaction.
+/// An SQLite file with the state of a search. Each save is one transaction, with a
+/// checksum: bounds are proofs, but which nodes were closed can't be told any more.
 class SelectionFile {
  public:
   /// Open it, or make it.
@@ -25,7 +26,11 @@ class SelectionFile {
   ~SelectionFile();
 
   /// Where the search was; nullopt: it hasn't begun.
-  [[nodiscard]] std::optional<BranchState> load() const;
+  /// @throws std::runtime_error the file is damaged: it isn't what was saved, or no
+  ///         state of a search by these rules
+  [[nodiscard]] std::optional<BranchState> load(
+      ChoiceCost& cost, const ChoiceRules& rules,
+      const std::vector<Decision>& decisions) const;
   /// @throws std::runtime_error the disk is full, …; the last state stays then
   void save(const BranchState& state);
 

@@ -74,8 +74,9 @@ std::vector<double> Statement::numbers(int column) const {
   const auto size =
       static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   std::vector<double> numbers(size / sizeof(double));
-  if (size > 0)
-    std::memcpy(numbers.data(), sqlite3_column_blob(statement_.get(), column), size);
+  if (!numbers.empty())
+    std::memcpy(numbers.data(), sqlite3_column_blob(statement_.get(), column),
+                numbers.size() * sizeof(double));
   return numbers;
 }
 

@@ -33,15 +33,17 @@ TEST(Select, WritesTheContractsDocumentAndAScene) {
   EXPECT_LE(json["gap"], 0.02);
   EXPECT_EQ(json["stop"], "proven");
   EXPECT_GT(json["samples"], 0);
+  EXPECT_EQ(json["blind"], 0);
+  EXPECT_EQ(json["always_blind"], 0);
   EXPECT_GE(json["seconds"], 0);
 
-  // What was written is what was chosen; the guess's share is small.
+  // What was written is what was chosen, and no guess has a share in it.
   const std::string chosen = (folder.path() / "chosen.yaml").string();
   const Finished field =
       run({"field", chosen, "--metric", "trace", "--json"}, folder.path());
   ASSERT_EQ(field.code, 0) << field.err;
   EXPECT_NEAR(std::sqrt(field.json()["mean"].get<double>()), json["value"],
-              0.01 * json["value"].get<double>());
+              1e-6 * json["value"].get<double>());
   // optimize goes on from it, with the pattern's variables for each.
   const Finished polished =
       run({"optimize", chosen, "--evaluations", "20", "--starts", "1", "--json"},
@@ -87,6 +89,23 @@ TEST(Select, TellsWhatIsCertified) {
   EXPECT_NE(done.out.find("root of the mean of sigma_position² over 50 samples"),
             std::string::npos)
       << done.out;
+}
+
+// Two ranges leave a direction open everywhere.
+TEST(Select, NamesTheGuessOfWhatStaysBlind) {
+  const std::vector<std::string> two = {"--set", "selection.count=2", "--seconds",
+                                        "0.2"};
+  const Finished done = run(anchors(two));
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("blind         50 samples, judged by a guess of "),
+            std::string::npos)
+      << done.out;
+  std::vector<std::string> as_json = two;
+  as_json.push_back("--json");
+  const Json json = run(anchors(as_json)).json();
+  EXPECT_EQ(json["blind"], 50);
+  EXPECT_EQ(json["always_blind"], 0);
+  EXPECT_LE(json["lower_bound"], json["value"]);
 }
 
 // A band: values and bounds fall with the count, and agree with single runs.
@@ -204,7 +223,12 @@ TEST(Select, RefusesWhatHasNoBound) {
   refused(anchors({"--set",
                    "selection={budget: 1, candidates: [{copies_of: anchor, "
                    "points: [[1, 1, 3]], cost: 2}]}"}),
-          "no candidate fits into the budget");
+          "no candidate fits into the budget: the cheapest costs 2, selection.budget "
+          "is 1");
+  refused(anchors({"--set",
+                   "selection={count: 1, candidates: [{devices: anchor}], "
+                   "leave_out: anchor}"}),
+          "selection.leave_out names every candidate, so that none can be chosen");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "steady/state_metric.h"
+#include "delos/steady/state_metric.h"
 
 namespace delos {
 namespace {

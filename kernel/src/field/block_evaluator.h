@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
-#include "steady/state_metric.h"
 
 namespace delos {
 

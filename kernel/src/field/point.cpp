@@ -5,11 +5,11 @@
 
 #include "delos/field/evaluate.h"
 #include "delos/model/infinity.h"
+#include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
 #include "layers/block.h"
 #include "rig/sight.h"
 #include "steady/chain_reduction.h"
-#include "steady/state_metric.h"
 
 namespace delos {
 namespace {

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "delos/model/lanes.h"
@@ -40,8 +41,9 @@ std::vector<std::vector<int>> checked_owners(const System& system,
 /// All that the candidates know at one pose.
 class PoseEntries {
  public:
-  PoseEntries(const System& system, std::size_t candidates)
+  PoseEntries(const System& system, std::size_t candidates, bool keep_readings)
       : system_(system),
+        keep_readings_(keep_readings),
         columns_(information_size(system)),
         packed_(static_cast<std::size_t>(packed_index(columns_, 0))),
         slot_(candidates, -1) {}
@@ -54,6 +56,8 @@ class PoseEntries {
     for (int k = 0; k < system_.motion.layout.coordinates(); ++k)
       always[static_cast<std::size_t>(packed_index(k, k))] = system_.prior;
     exact.clear();
+    reader.clear();
+    readings.clear();
   }
 
   /// Take over a row of a candidate.
@@ -66,6 +70,9 @@ class PoseEntries {
     const double all = weight * row.weight();
     for (int i = 0; i < columns_; ++i)
       for (int j = 0; j <= i; ++j) S[packed_index(i, j)] += all * row.h(i) * row.h(j);
+    if (!keep_readings_) return;
+    reader.push_back(candidate);
+    for (int i = 0; i < columns_; ++i) readings.push_back(std::sqrt(all) * row.h(i));
   }
 
   /// In the order of the candidates; nothing can be added any more.
@@ -89,6 +96,8 @@ class PoseEntries {
   std::vector<std::int32_t> seen;
   std::vector<double> information, always;
   std::vector<ExactRow> exact;
+  std::vector<std::int32_t> reader;
+  std::vector<double> readings;
 
  private:
   double* of(int candidate) {
@@ -103,6 +112,7 @@ class PoseEntries {
   }
 
   const System& system_;
+  bool keep_readings_;
   int columns_;
   std::size_t packed_;
   std::vector<std::int32_t> slot_;
@@ -127,7 +137,7 @@ void observe(const System& system, const CandidateScene& all,
 CandidateInformation candidate_information(const System& system,
                                            const CandidateScene& all,
                                            std::span<const TargetPose> poses,
-                                           int threads) {
+                                           int threads, bool readings) {
   const auto owners = checked_owners(system, all);
   constexpr std::size_t kChunk = 16;
   const std::size_t chunks = (poses.size() + kChunk - 1) / kChunk;
@@ -137,7 +147,7 @@ CandidateInformation candidate_information(const System& system,
 #pragma omp parallel num_threads(count)
   {
     MeasureScratch scratch;
-    PoseEntries entries(system, all.candidates.size());
+    PoseEntries entries(system, all.candidates.size(), readings);
 #pragma omp for schedule(dynamic)
     for (std::size_t c = 0; c < chunks; ++c) {
       failure.guard([&] {
@@ -157,6 +167,11 @@ CandidateInformation candidate_information(const System& system,
           part.first_exact.push_back(entries.exact.size());
           part.exact.insert(part.exact.end(), entries.exact.begin(),
                             entries.exact.end());
+          part.first_reading.push_back(entries.reader.size());
+          part.reader.insert(part.reader.end(), entries.reader.begin(),
+                             entries.reader.end());
+          part.readings.insert(part.readings.end(), entries.readings.begin(),
+                               entries.readings.end());
         }
       });
     }
@@ -166,6 +181,7 @@ CandidateInformation candidate_information(const System& system,
   CandidateInformation whole;
   whole.columns = information_size(system);
   whole.first = whole.first_exact = {0};
+  if (readings) whole.first_reading = {0};
   const auto append = [](auto& to, const auto& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
@@ -174,9 +190,14 @@ CandidateInformation candidate_information(const System& system,
     append(whole.candidate, part.candidate);
     append(whole.information, part.information);
     append(whole.exact, part.exact);
+    append(whole.reader, part.reader);
+    append(whole.readings, part.readings);
     for (std::size_t i = 0; i < part.first.size(); ++i) {
       whole.first.push_back(whole.first.back() + part.first[i]);
       whole.first_exact.push_back(whole.first_exact.back() + part.first_exact[i]);
+      if (readings)
+        whole.first_reading.push_back(whole.first_reading.back() +
+                                      part.first_reading[i]);
     }
     part = {};
   }

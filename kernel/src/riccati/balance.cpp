@@ -45,6 +45,8 @@ StateVector balance(std::span<const CycleStep> cycle) {
   for (int step = kSteps - 1; step >= 0; --step) {
     const auto& [motion, measurement] = cycle[step % count];
     information += measurement.information;
+    for (Eigen::Index i = 0; i < measurement.rows.rows(); ++i)
+      information += measurement.rows.row(i).transpose() * measurement.rows.row(i);
     for (Eigen::Index row = 0; row < measurement.exact.rows(); ++row) {
       // An exact row counts as one that is as noisy as the process behind it.
       const auto c = measurement.exact.row(row);
@@ -62,7 +64,8 @@ CycleStep scaled(const CycleStep& step, const StateVector& D) {
   return {{inverse.asDiagonal() * motion.A * D.asDiagonal(),
            inverse.asDiagonal() * motion.Q * inverse.asDiagonal()},
           {D.asDiagonal() * measurement.information * D.asDiagonal(),
-           measurement.exact * D.asDiagonal()}};
+           measurement.exact * D.asDiagonal(),
+           in_terms_of(StateMatrix(D.asDiagonal()), measurement.rows)}};
 }
 
 }  // namespace delos::riccati

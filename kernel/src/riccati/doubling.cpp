@@ -24,7 +24,8 @@ void require_sizes(std::span<const CycleStep> cycle) {
   for (const auto& [motion, measurement] : cycle) {
     const StateMatrix& C = measurement.exact;
     if (!fits(motion.A, n, n) || !fits(motion.Q, n, n) ||
-        !fits(measurement.information, n, n) || (C.rows() > 0 && C.cols() != n))
+        !fits(measurement.information, n, n) || (C.rows() > 0 && C.cols() != n) ||
+        (measurement.rows.rows() > 0 && measurement.rows.cols() != n))
       std::abort();
   }
 }

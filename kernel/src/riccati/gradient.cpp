@@ -41,6 +41,8 @@ StateMatrix riccati_gradient(const MotionStep& motion, const Measurement& measur
   const Eigen::Index n = Y.rows();
   const StateMatrix I = StateMatrix::Identity(n, n);
   StateMatrix M = solved(I + state.prior * measurement.information, I);
+  if (measurement.rows.rows() > 0)
+    M = kept_by_rows(symmetric(M * state.prior), measurement.rows) * M;
   if (measurement.exact.rows() > 0) {
     const StateMatrix& E = measurement.exact;
     const StateMatrix seen = E * M;

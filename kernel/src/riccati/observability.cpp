@@ -43,6 +43,10 @@ StateMatrix unseen(const StateMatrix& U, const Measurement& m) {
     const StateMatrix C = m.exact.rowwise().normalized();
     T = T * null_space(C * T, kSameDirection);
   }
+  for (Eigen::Index i = 0; i < m.rows.rows() && T.cols() > 0; ++i) {
+    const StateMatrix h = m.rows.row(i).normalized();
+    T = T * null_space(h * T, kSameDirection);
+  }
   if (U.cols() == U.rows()) return T;
   return U * null_space(complement(T).transpose() * U, kSameDirection);
 }
@@ -109,7 +113,8 @@ CycleStep quotient(const CycleStep& step, const StateMatrix& V_before,
   const auto& [motion, measurement] = step;
   const StateMatrix Vt = V_after.transpose(), AV = motion.A * V_before;
   return {{Vt * AV, congruence(Vt, motion.Q)},
-          {congruence(Vt, measurement.information), measurement.exact * V_after}};
+          {congruence(Vt, measurement.information), measurement.exact * V_after,
+           in_terms_of(V_after, measurement.rows)}};
 }
 
 }  // namespace delos::riccati

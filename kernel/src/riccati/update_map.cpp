@@ -16,6 +16,25 @@ StateMatrix condition(const StateMatrix& H, const StateMatrix& L,
   return congruence(keep, H);
 }
 
+/// What the readings h x + v, v ~ N(0, 1), of the rows h make of a covariance, one
+/// after another: with m = h H hᵀ + 1 and the gain k = H hᵀ/m,
+///
+///     H ← (I − k h) H (I − k h)ᵀ + k kᵀ
+///
+/// @param gained visit(h, k, m), before H is changed
+template <class Visit>
+void read_rows(const Eigen::MatrixXd& rows, StateMatrix& H, Visit&& gained) {
+  const Eigen::Index n = H.rows();
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const StateVector h = rows.row(i).transpose(), Hh = H * h;
+    const double m = std::max(h.dot(Hh), 0.0) + 1;
+    const StateVector k = Hh / m;
+    gained(h, k, m);
+    const StateMatrix keep = StateMatrix::Identity(n, n) - k * h.transpose();
+    H = congruence(keep, H) + k * k.transpose();
+  }
+}
+
 }  // namespace
 
 ExactGain exact_gain(const StateMatrix& H, const StateMatrix& C) {
@@ -25,6 +44,15 @@ ExactGain exact_gain(const StateMatrix& H, const StateMatrix& C) {
   const StateMatrix HC = H * C.transpose();
   gain.L = HC * gain.M.inverse;
   return gain;
+}
+
+StateMatrix kept_by_rows(const StateMatrix& before, const Eigen::MatrixXd& rows) {
+  const Eigen::Index n = before.rows();
+  StateMatrix H = before, kept = StateMatrix::Identity(n, n);
+  read_rows(rows, H, [&](const StateVector& h, const StateVector& k, double) {
+    kept -= k * (h.transpose() * kept).eval();
+  });
+  return kept;
 }
 
 UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
@@ -40,6 +68,14 @@ UpdateMap one_update(const MotionStep& motion, const Measurement& measurement,
   const StateMatrix SA = S * map.A;
   map.G = symmetric(A.transpose() * SA);
   map.H = symmetric(W.solve(Q));
+
+  // A row adds hᵀh/m as A sees it: G ← G + Aᵀ hᵀ h A/m,  A ← (I − k h) A.
+  read_rows(measurement.rows, map.H,
+            [&](const StateVector& h, const StateVector& k, double m) {
+              const StateVector seen = map.A.transpose() * h;
+              map.G += seen * seen.transpose() / m;
+              map.A -= k * seen.transpose();
+            });
 
   // Condition on the exact rows: G gains A_sᵀ Cᵀ M⁺ C A_s.
   regular = true;
@@ -68,7 +104,8 @@ StateMatrix update(const StateMatrix& prior, const Measurement& measurement) {
   const Eigen::LLT<StateMatrix> W(StateMatrix::Identity(n, n) +
                                   congruence(F.transpose(), measurement.information));
   const StateMatrix half = W.matrixL().solve(StateMatrix(F.transpose()));
-  const StateMatrix posterior = half.transpose() * half;
+  StateMatrix posterior = half.transpose() * half;
+  read_rows(measurement.rows, posterior, [](const auto&...) {});
   const StateMatrix& C = measurement.exact;
   if (C.rows() == 0) return posterior;
   return condition(posterior, exact_gain(posterior, C).L, C);

@@ -58,7 +58,11 @@ ExactGain exact_gain(const StateMatrix& H, const StateMatrix& C);
 /// P = A Π Aᵀ + Q.
 StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior);
 
-/// Π = (P⁻¹ + S)⁻¹, then conditioned on the exact rows. P may be singular.
+/// ∏ (I − k h) over rows that are worked in one after another: the share of an error
+/// that they leave. @param before the covariance before the first
+StateMatrix kept_by_rows(const StateMatrix& before, const Eigen::MatrixXd& rows);
+
+/// Π = (P⁻¹ + S)⁻¹, then conditioned on the other rows. P may be singular.
 StateMatrix update(const StateMatrix& prior, const Measurement& measurement);
 
 }  // namespace delos::riccati

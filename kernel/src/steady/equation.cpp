@@ -1,5 +1,7 @@
 #include "delos/steady/equation.h"
 
+#include <cmath>
+
 #include "delos/model/lanes.h"
 #include "delos/model/metric_table.h"
 #include "observe/exact_rows.h"
@@ -18,10 +20,12 @@ SteadyRequest request_for(const System& system, std::span<const Metric> metrics)
 }
 
 void SteadyEquation::clear() {
+  readings.clear();
   for (CycleStep& step : steps) {
     Measurement& m = step.measurement;
     m.information.topLeftCorner(columns, columns).setZero();
     m.exact.resize(0, m.information.cols());
+    m.rows.resize(0, 0);
   }
 }
 
@@ -30,6 +34,14 @@ void SteadyEquation::add(std::size_t step, const double* S, int stride) {
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j <= i; ++j)
       sum(j, i) = sum(i, j) += S[packed_index(i, j) * stride];
+}
+
+void SteadyEquation::add_reading(const Eigen::Ref<const Eigen::RowVectorXd>& row,
+                                 double information) {
+  const Eigen::Index n = steps.front().motion.A.rows();
+  const double root = std::sqrt(information);
+  for (Eigen::Index i = 0; i < n; ++i)
+    readings.push_back(i < row.size() ? root * row(i) : 0);
 }
 
 void SteadyEquation::add_perfect(std::size_t step, const StateVector& row) {

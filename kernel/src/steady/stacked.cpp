@@ -4,6 +4,18 @@
 #include "steady/general_state.h"
 
 namespace delos {
+namespace {
+
+/// Whether a solution by the sum of all information may have lost digits that single
+/// readings have: an entry S_ij is rounded by ε √(S_ii S_jj), which P weighs.
+bool may_lack_digits(const Measurement& measurement, const SteadyState& state) {
+  constexpr double kMany = 1e5;  // some 1e-11 of P is lost
+  if (state.status != RiccatiStatus::converged) return true;
+  return !((measurement.information.diagonal().array() * state.prior.diagonal().array())
+               .maxCoeff() < kMany);
+}
+
+}  // namespace
 
 StackedSolver::StackedSolver(const System& system, Solver solver)
     : SmoothSteadySolver(system, solver) {
@@ -15,10 +27,21 @@ void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
                           FusedState& out) const {
   if (reduce(at, request, out)) return;
   out.of = CovarianceOf::every_update;
-  const auto& [motion, measurement] = at.steps.front();
+  auto& [motion, measurement] = at.steps.front();
   const bool papers = solver() == Solver::eigenvector && measurement.exact.rows() == 0;
   at.states.front() =
       papers ? solve_eigenvector(at.steps) : solve_doubling(motion, measurement);
+  if (!at.readings.empty() && may_lack_digits(measurement, at.states.front())) {
+    measurement.information.setZero();
+    measurement.information.diagonal()
+        .head(system_.motion.layout.coordinates())
+        .setConstant(at.besides);
+    const Eigen::Index n = motion.A.rows();
+    measurement.rows = Eigen::Map<
+        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+        at.readings.data(), static_cast<Eigen::Index>(at.readings.size()) / n, n);
+    at.states.front() = solve_doubling(motion, measurement);
+  }
   set_state(at.states.front(), out);
   if (request.time_constant)
     out.time_constant = time_constant_of_radius(closed_loop_radius(at.steps, at.states),

@@ -1,4 +1,4 @@
-#include "steady/state_metric.h"
+#include "delos/steady/state_metric.h"
 
 #include "delos/model/infinity.h"
 

@@ -90,20 +90,29 @@ void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pos
       for (const std::size_t step : reports_[i])
         at.add(step, block.layers.data() + i * layer + lane, kLanes);
   }
-  if (!has_perfect_rows(block, lane)) return;
+  const bool careful = reads_rows();
+  if (careful) at.besides = system_.prior;
+  if (!careful && !has_perfect_rows(block, lane)) return;
 
-  // Rows without noise have no place in a layer: read them again, for the devices that
-  // have them at this pose.
+  // Rows without noise have no place in a layer, and the digits of readings that differ
+  // much none in a sum: read them again, for the devices that have them at this pose.
   MeasureScratch measuring;
   for (std::size_t i = 0; i < reports_.size(); ++i) {
-    if (!(block.perfect[i] >> lane & 1)) continue;
+    if (!((careful ? block.seen[i] : block.perfect[i]) >> lane & 1)) continue;
     const auto keep = [&](const StateRow& row) {
-      if (!row.perfect()) return;
+      if (!row.perfect()) {
+        if (careful) at.add_reading(row.h, row.weight());
+        return;
+      }
       for (const std::size_t step : reports_[i])
         at.add_perfect(step, row.h.transpose());
     };
     measure(system_, system_.devices[i], pose, at.columns, measuring, keep);
   }
+}
+
+bool SteadySolver::reads_rows() const {
+  return system_.fusion == Fusion::stacked && solver_ == Solver::doubling;
 }
 
 bool SteadySolver::reduce(SteadyEquation& at, const SteadyRequest& request,

@@ -32,11 +32,15 @@ struct CandidateInformation {
   std::vector<double> information;       ///< entries × packed
   std::vector<std::size_t> first_exact;  ///< poses + 1
   std::vector<ExactRow> exact;
+  std::vector<std::size_t> first_reading;  ///< poses + 1; or empty: not asked for
+  std::vector<std::int32_t> reader;  ///< of each reading; −1: whatever is chosen
+  std::vector<double> readings;      ///< readings × columns: R^(−1/2) H
 
   [[nodiscard]] std::size_t poses() const { return first.size() - 1; }
 };
 
 /// Observe with every candidate at every pose.
+/// @param readings whether to keep the readings that the information is of
 /// @pre `system` was built of all.scene
 /// @throws std::invalid_argument one sentence: a device shares its updates among
 ///         candidates, so that information isn't a sum over them
@@ -44,9 +48,9 @@ struct CandidateInformation {
 /// are
 ///         candidates
 /// @throws std::invalid_argument one sentence: rows without noise, continuous fusion
-[[nodiscard]] DELOS_API CandidateInformation
-candidate_information(const System& system, const CandidateScene& all,
-                      std::span<const TargetPose> poses, int threads = 0);
+[[nodiscard]] DELOS_API CandidateInformation candidate_information(
+    const System& system, const CandidateScene& all, std::span<const TargetPose> poses,
+    int threads = 0, bool readings = false);
 
 /// Which poses each candidate sees.
 struct CandidateViews {

@@ -20,10 +20,15 @@ enum class RiccatiStatus {
 /// What the measurements of one instant say about the state.
 ///
 /// `information` sums Hᵀ R⁻¹ H. Rows that are measured perfectly (a singular R) have no
-/// finite information: they stand in `exact`, one row of H each.
+/// finite information: they stand in `exact`, one row of H each. So nearly perfect ones
+/// that their information would swallow the digits of all other's stand in `rows`: they
+/// are worked in one after another and keep all digits, at a cost that grows with their
+/// number.
 struct Measurement {
   StateMatrix information;  ///< S, n×n, symmetric ≥ 0, inverse squared state units
   StateMatrix exact;  ///< c×n, rows measured without noise; 0×n where there are none
+  /// m×n, rows of R^(−1/2) H that aren't in `information`; 0×0 where there are none
+  Eigen::MatrixXd rows = {};
 };
 
 /// One part of a cycle: the motion up to an instant, and what is measured then.
@@ -44,7 +49,7 @@ struct SteadyState {
 
 /// Steady-state covariances of the Kalman filter, by structure-preserving doubling.
 ///
-///     P = A Π Aᵀ + Q,   Π = (P⁻¹ + S)⁻¹, then conditioned on the exact rows
+///     P = A Π Aᵀ + Q,   Π = (P⁻¹ + S)⁻¹, then conditioned on the other rows
 ///
 /// Directions that no measurement reaches and that do not decay by themselves are split
 /// off first (`unobservable`); what is left has a unique stabilising solution.

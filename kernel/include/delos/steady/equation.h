@@ -33,6 +33,11 @@ struct DELOS_API SteadyEquation {
   int columns = 0;                   ///< c
   std::vector<SteadyState> states;   ///< of each step, where solved so
   std::optional<SpectralForm> form;  ///< where reduced to scalar chains
+  /// Of the only step's information, the readings that it is of: rows of R^(−1/2) H, n
+  /// numbers each, one after another; and what it has besides, for each coordinate of
+  /// the pose. Empty: not known.
+  std::vector<double> readings = {};
+  double besides = 0;
 
   /// Nothing is measured any more.
   void clear();
@@ -42,6 +47,9 @@ struct DELOS_API SteadyEquation {
   /// A step measures a row without noise.
   /// @param row c or n numbers
   void add_perfect(std::size_t step, const StateVector& row);
+  /// The only step's information has a reading with so much information.
+  /// @param row c numbers
+  void add_reading(const Eigen::Ref<const Eigen::RowVectorXd>& row, double information);
 };
 
 }  // namespace delos

@@ -28,6 +28,10 @@ class DELOS_API SteadySolver {
   /// Null where the solver isn't spectral.
   [[nodiscard]] const ChainReduction* reduction() const { return reduction_.get(); }
 
+  /// Whether SteadyEquation::readings are of use: where a sum of their information may
+  /// lose their digits.
+  [[nodiscard]] bool reads_rows() const;
+
   /// The equation of a pose where nothing is measured.
   [[nodiscard]] SteadyEquation equation() const;
 

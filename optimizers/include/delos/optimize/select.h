@@ -49,13 +49,17 @@ struct SelectResult {
   std::vector<std::size_t> chosen;  ///< indices of candidates, ascending
   /// What is certified, for people: "root of the mean of eigmax² over 343 samples".
   std::string quantity;
-  std::string unit;         ///< of the next two, SI; empty: mixed
-  double value = 0;         ///< of what was chosen
-  double lower_bound = 0;   ///< no choice that the rules allow has less
+  std::string unit;  ///< of the next two, SI; empty: mixed
+  double value = 0;  ///< of what was chosen
+  /// No choice that the rules allow has less. Where `blind` is `always_blind`, that is:
+  /// none that leaves nothing else blind.
+  double lower_bound = 0;
   double gap = 0;           ///< value/lower_bound − 1
   double variance_gap = 0;  ///< the same of the squares, which are what is convex
-  double guess = 0;         ///< metres and radians: what every sample knows besides
+  double guess = 0;  ///< metres and radians, of the pose: it judges blind samples
   std::size_t samples = 0;
+  std::size_t blind = 0;          ///< of them, that the choice leaves blind
+  std::size_t always_blind = 0;   ///< of them, that are blind whatever is chosen
   std::vector<double> fractions;  ///< of the relaxation, one a candidate
   /// One flag a candidate: it is in every choice that is at least as good, or in none.
   std::vector<char> in_every, in_none;
@@ -68,11 +72,15 @@ struct SelectResult {
 /// @throws std::invalid_argument one sentence: the scene has no selection by count or
 ///         budget
 /// @throws std::invalid_argument one sentence: its objective has no convex variance
-/// @throws std::invalid_argument one sentence: nothing fits, or a sample isn't
-///         observable whatever is chosen
+/// @throws std::invalid_argument one sentence: nothing fits
+/// @throws std::invalid_argument one sentence: a sample isn't observable whatever is
+///         chosen, not even with the guess
+/// @throws std::invalid_argument one sentence: a field of the choice says something
+///         else
 /// @throws std::invalid_argument one sentence: a steady state didn't settle
 /// @throws std::invalid_argument as candidate_information()
-/// @throws std::runtime_error the study can't be written, or is about something else
+/// @throws std::runtime_error the study can't be written, is about something else, or
+///         is damaged
 [[nodiscard]] SelectResult select(const Scene& scene, PluginRegistry& plugins,
                                   const SelectOptions& options);
 

@@ -1,6 +1,7 @@
 // Metrics of a steady state. Equations: Allen (2007), §4.3.
 #pragma once
 
+#include "delos/api.h"
 #include "delos/model/metric_table.h"
 #include "delos/steady/fused_state.h"
 
