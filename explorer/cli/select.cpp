@@ -41,6 +41,9 @@ class BoundLine {
     const auto text = [&](double x) {
       return std::isfinite(x) ? format_quantity(x, unit) : std::string("none yet");
     };
+    if (at.ready < 1)
+      return line_.update("candidates asked what they see: " +
+                          format_quantity(100 * at.ready, "1", 2) + " %");
     line_.update(text(at.value) + ", at best " + text(at.lower_bound) + ", after " +
                  counted(at.nodes, "node"));
   }
