@@ -66,7 +66,8 @@ bool whole_costs(const CoverProblem& problem) {
 /// A core under search from both sides; costs are those of the whole problem.
 class Rounds {
  public:
-  Rounds(const CoverProblem& problem, const CoverOptions& options, CoverCore core)
+  Rounds(const CoverProblem& problem, const CoverOptions& options, CoverCore core,
+         int threads)
       : problem_(problem),
         options_(options),
         core_(std::move(core)),
@@ -77,16 +78,15 @@ class Rounds {
     const auto seed = [&](std::uint64_t k) {
       return options.seed + 0x9e3779b97f4a7c15ull * k;
     };
-    const CoverSelection greedy(core_);
-    walks_.emplace_back(core_, greedy, seed(1));
+    // However little time there is, a cover and some bound there are.
+    std::optional<CoverSelection> greedy;
+    run_all({[&] { greedy.emplace(core_); }, [&] { dual_.step(kInfinity); }}, threads);
+    walks_.emplace_back(core_, *greedy, seed(1));
     if (CoverAnnealing::suits(core_))
-      annealing_.emplace(core_, greedy, seed(2));
+      annealing_.emplace(core_, *greedy, seed(2));
     else
-      walks_.emplace_back(core_, greedy, seed(2));
+      walks_.emplace_back(core_, *greedy, seed(2));
     bound_ = core_.chosen_cost;
-    merge();
-    // However little time there is, some bound there is too.
-    dual_.step(cost_ - core_.chosen_cost);
     merge();
   }
 
@@ -175,12 +175,8 @@ class Rounds {
   std::vector<int> chosen_;
 };
 
-CoverStop search(Rounds& rounds, const CoverOptions& options,
+CoverStop search(Rounds& rounds, const CoverOptions& options, int threads,
                  std::chrono::steady_clock::time_point deadline) {
-  const int threads =
-      options.threads > 0
-          ? options.threads
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CoverProgress told;
   for (int round = 0;; ++round) {
     const CoverProgress now{rounds.cost(), rounds.bound()};
@@ -262,8 +258,12 @@ CoverAnswer solve_cover(const CoverProblem& problem, const CoverOptions& options
   CoverAnswer answer;
   answer.samples_left = core.samples();
   answer.candidates_left = core.candidates();
-  Rounds rounds(problem, options, std::move(core));
-  answer.stop = search(rounds, options, after(options.seconds));
+  const int threads =
+      options.threads > 0
+          ? options.threads
+          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  Rounds rounds(problem, options, std::move(core), threads);
+  answer.stop = search(rounds, options, threads, after(options.seconds));
   answer.chosen = rounds.chosen();
   answer.cost = rounds.cost();
   answer.lower_bound = answer.proven() ? answer.cost : rounds.bound();

@@ -169,7 +169,8 @@ CoverCore without(CoverCore core, const std::vector<char>& keep_candidate,
     values.resize(which.size());
   };
   core.seers = {};  // gigabytes, in large ones
-  core.seen = selected(core.seen, candidates, number);
+  if (any_gone(keep_candidate) || any_gone(keep_sample))
+    core.seen = selected(core.seen, candidates, number);
   core.seers = transposed(core.seen, static_cast<int>(samples.size()));
   pick(core.cost, candidates);
   pick(core.group, candidates);

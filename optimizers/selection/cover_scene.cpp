@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 
 #include "delos/layers/candidate_information.h"
@@ -44,6 +45,10 @@ CoverProblem problem_of(const CandidateScene& all, CandidateViews views) {
   return problem;
 }
 
+/// The part of the time in which it must be known what candidates see: the rest is for
+/// a first cover and bound.
+constexpr double kForViews = 0.85;
+
 /// What candidates see, with progress, unless the time ends first.
 CandidateViews views_in_time(const System& system, const CandidateScene& all,
                              const std::vector<TargetPose>& poses,
@@ -54,7 +59,7 @@ CandidateViews views_in_time(const System& system, const CandidateScene& all,
       candidate_views(system, all, poses, options.threads, [&](double ready) {
         part = ready;
         if (options.progress) options.progress({kInfinity, 0, 0, ready});
-        return elapsed() < options.seconds &&
+        return elapsed() < kForViews * options.seconds &&
                !(options.cancel && options.cancel->load());
       });
   if (!views.first.empty()) return views;
