@@ -121,8 +121,9 @@ Database::Database(const std::filesystem::path& file, bool create)
       database_(nullptr, &sqlite3_close) {
   sqlite3* raw = nullptr;
   const bool reads_only = !create && !is_writable(file);
-  const int flags = (reads_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE) |
-                    (create ? SQLITE_OPEN_CREATE : 0) | SQLITE_OPEN_URI;
+  // SQLite opens for reading alone what it can't write.
+  const int flags =
+      SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI | (create ? SQLITE_OPEN_CREATE : 0);
   // Somebody else may be writing where there is a log.
   const std::string name =
       reads_only && !had_log_ ? unchanging(file) : std::filesystem::absolute(file).string();
