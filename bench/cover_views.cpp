@@ -49,11 +49,10 @@ std::vector<std::int32_t> every_sample(const System& system,
 void run(int side, PluginRegistry& plugins) {
   const std::string end = "[" + std::to_string(side) + ", " + std::to_string(side);
   Diagnostics findings;
-  const auto scene =
-      load_scene(std::string(DELOS_SCENES) + "/14-camera-cover.yaml",
-                 {{"selection.candidates.0.grid.max", end + ", 2.5]"},
-                  {"sample.volume.max", end + ", 2]"}},
-                 plugins, findings);
+  const auto scene = load_scene(std::string(DELOS_SCENES) + "/14-camera-cover.yaml",
+                                {{"selection.candidates.0.grid.max", end + ", 2.5]"},
+                                 {"sample.volume.max", end + ", 2]"}},
+                                plugins, findings);
   if (!scene) std::abort();
   const auto all = std::get<CandidateScene>(write_out_candidates(*scene));
   const System system = build_system(all.scene, plugins);

@@ -73,8 +73,8 @@ class Rounds {
         core_(std::move(core)),
         whole_(whole_costs(problem)),
         dual_(core_),
-        most_work_(std::max(
-            kMostWork, 2 * static_cast<std::int64_t>(core_.seen.items.size()))) {
+        most_work_(std::max(kMostWork,
+                            2 * static_cast<std::int64_t>(core_.seen.items.size()))) {
     const auto seed = [&](std::uint64_t k) {
       return options.seed + 0x9e3779b97f4a7c15ull * k;
     };

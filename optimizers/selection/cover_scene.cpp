@@ -65,8 +65,8 @@ CandidateViews views_in_time(const System& system, const CandidateScene& all,
   if (!views.first.empty()) return views;
   throw std::invalid_argument(
       std::to_string(static_cast<int>(100 * part)) + " % of " +
-      std::to_string(all.candidates.size()) + " candidates were asked what they see of " +
-      std::to_string(poses.size()) +
+      std::to_string(all.candidates.size()) +
+      " candidates were asked what they see of " + std::to_string(poses.size()) +
       " samples before the time was over; allow more seconds, or fewer of them");
 }
 
@@ -102,8 +102,8 @@ SceneCover cover_scene(const Scene& scene, PluginRegistry& plugins,
   cover.all = std::get<0>(std::move(written));
   const System system = build_system(cover.all.scene, plugins);
   const std::vector<TargetPose> poses = poses_to_see(scene, system);
-  const CoverProblem problem = problem_of(
-      cover.all, views_in_time(system, cover.all, poses, options, elapsed));
+  const CoverProblem problem =
+      problem_of(cover.all, views_in_time(system, cover.all, poses, options, elapsed));
 
   CoverOptions how;
   how.seed = options.seed;

@@ -22,8 +22,8 @@ bool is_writable(const std::filesystem::path& file) {
   return access(file.c_str(), W_OK) == 0 && access(folder.c_str(), W_OK) == 0;
 }
 
-/// For a file that nobody changes: without locks, and without an index of its log, which
-/// would have to be written.
+/// For a file that nobody changes: without locks, and without an index of its log,
+/// which would have to be written.
 std::string unchanging(const std::filesystem::path& file) {
   std::string uri = "file://";
   for (const char c : std::filesystem::absolute(file).string()) {
@@ -125,8 +125,9 @@ Database::Database(const std::filesystem::path& file, bool create)
   const int flags =
       SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI | (create ? SQLITE_OPEN_CREATE : 0);
   // Somebody else may be writing where there is a log.
-  const std::string name =
-      reads_only && !had_log_ ? unchanging(file) : std::filesystem::absolute(file).string();
+  const std::string name = reads_only && !had_log_
+                               ? unchanging(file)
+                               : std::filesystem::absolute(file).string();
   const int result = sqlite3_open_v2(name.c_str(), &raw, flags, nullptr);
   database_.reset(raw);
   if (result != SQLITE_OK)
@@ -141,8 +142,8 @@ Database::Database(const std::filesystem::path& file, bool create)
 
 void Database::check_whole() const {
   const auto damaged = [&](const std::string& how) {
-    return std::runtime_error(file_.string() + ": the file is damaged or cut short: " +
-                              how);
+    return std::runtime_error(file_.string() +
+                              ": the file is damaged or cut short: " + how);
   };
   Statement check = prepare("PRAGMA quick_check(1)");
   check.step();
@@ -159,13 +160,13 @@ void Database::check_whole() const {
 }
 
 bool publish(const std::filesystem::path& made, const std::filesystem::path& file) {
-  int failure = renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, file.c_str(),
-                          RENAME_NOREPLACE) == 0
-                    ? 0
-                    : errno;
+  int failure =
+      renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, file.c_str(), RENAME_NOREPLACE) == 0
+          ? 0
+          : errno;
   // Not every file system can tell.
   if (failure == EINVAL || failure == ENOSYS) {
-    failure = std::filesystem::exists(file)                ? EEXIST
+    failure = std::filesystem::exists(file)                  ? EEXIST
               : std::rename(made.c_str(), file.c_str()) == 0 ? 0
                                                              : errno;
   }

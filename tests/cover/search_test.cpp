@@ -79,8 +79,8 @@ TEST(CoverSearch, HasACoverAndABoundHoweverShortTheTime) {
   for (int j = 0; j < problem.candidates(); ++j)
     for (auto k = problem.start[j]; k < problem.start[j + 1]; ++k) {
       double& own = price[problem.seen[k]];
-      own = std::min(own, 1.0 / static_cast<double>(problem.start[j + 1] -
-                                                    problem.start[j]));
+      own = std::min(
+          own, 1.0 / static_cast<double>(problem.start[j + 1] - problem.start[j]));
     }
   double sum = 0;
   for (const double p : price) sum += p;

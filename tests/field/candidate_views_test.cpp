@@ -63,19 +63,20 @@ Chance by_chance(std::uint64_t seed, bool in_world, bool on_target) {
   };
   Chance chance;
   System& system = chance.system;
-  system.motion = testing::chain_motion(PoseState::position, 1,
-                                        CoordinateMatrix::Identity(3, 3));
+  system.motion =
+      testing::chain_motion(PoseState::position, 1, CoordinateMatrix::Identity(3, 3));
   system.markers = {{0, 0, 0}, {0.2, -0.1, 0.1}};
   if (seed % 2) system.markers.pop_back();
   std::vector<TriangleMesh> bodies;
   for (int i = 0; i < 4; ++i) {
-    TriangleMesh body = body_mesh(
-        BoxShape{{0, 0, 0}, Eigen::Vector3d(0.2, 0.2, 0.2) + within(1)});
+    TriangleMesh body =
+        body_mesh(BoxShape{{0, 0, 0}, Eigen::Vector3d(0.2, 0.2, 0.2) + within(1)});
     bodies.push_back(transformed(body, {testing::random_rotation(random), within(4)}));
   }
   if (in_world) system.in_world = Occluders(bodies);
   if (on_target)
-    system.on_target = Occluders({body_mesh(BoxShape{{-0.1, -0.1, -0.3}, {0.1, 0.1, -0.1}})});
+    system.on_target =
+        Occluders({body_mesh(BoxShape{{-0.1, -0.1, -0.3}, {0.1, 0.1, -0.1}})});
 
   // Spots with several facings, as cameras have; two stand there whatever is chosen.
   Eigen::Vector3d spot = within(4);
@@ -196,8 +197,8 @@ class Counting final : public RangeDevice {
 // Of 29,791 poses in a room of 30 m, a reach of 1 m crosses a few boxes of 64.
 TEST(CandidateViews, AskAboutFewPoses) {
   Chance chance;
-  chance.system.motion = testing::chain_motion(PoseState::position, 1,
-                                               CoordinateMatrix::Identity(3, 3));
+  chance.system.motion =
+      testing::chain_motion(PoseState::position, 1, CoordinateMatrix::Identity(3, 3));
   chance.system.markers = {{0, 0, 0}};
   const auto device = std::make_shared<Counting>();
   chance.system.devices = {
@@ -205,8 +206,8 @@ TEST(CandidateViews, AskAboutFewPoses) {
   chance.all.of_device = {0};
   chance.all.candidates.emplace_back();
   for (int i = 0; i < 31 * 31 * 31; ++i)
-    chance.poses.push_back({Eigen::Matrix3d::Identity(),
-                            Eigen::Vector3d(i % 31, i / 31 % 31, i / 961)});
+    chance.poses.push_back(
+        {Eigen::Matrix3d::Identity(), Eigen::Vector3d(i % 31, i / 31 % 31, i / 961)});
   const CandidateViews views =
       candidate_views(chance.system, chance.all, chance.poses, 1);
   // The six neighbours; at the device itself a range has no direction.

@@ -280,7 +280,8 @@ TEST(Study, RefusesListsOfOtherLengths) {
        {"UPDATE evaluations SET slacks = x''",
         "UPDATE evaluations SET slope = x'' WHERE length(slope) > 0",
         "UPDATE evaluations SET slope = zeroblob(8) WHERE slope IS NULL",
-        "UPDATE evaluations SET slopes = x'0000000000000000' WHERE length(slopes) > 0"}) {
+        "UPDATE evaluations SET slopes = x'0000000000000000' WHERE length(slopes) > "
+        "0"}) {
     const auto file = finished(folder, "s", change);
     Study study(file, plugins());
     const std::string text = refusal([&] { (void)study.run(one_thread()); });

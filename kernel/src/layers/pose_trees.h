@@ -14,9 +14,9 @@ namespace delos {
 /// leaves, each of which holds kLanes of them at most.
 struct PoseTrees {
   struct Node {
-    Eigen::AlignedBox3d box;          ///< of the target's positions
+    Eigen::AlignedBox3d box;           ///< of the target's positions
     std::uint32_t first = 0, end = 0;  ///< poses
-    std::uint32_t below = 0;          ///< its children are this one and the next; 0: a leaf
+    std::uint32_t below = 0;  ///< its children are this one and the next; 0: a leaf
   };
 
   explicit PoseTrees(std::span<const TargetPose> all);

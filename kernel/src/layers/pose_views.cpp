@@ -108,8 +108,7 @@ Sight PoseViews::sight_of(const PlacedDevice& placed, std::uint32_t at) {
 /// The poses of a leaf, one by one.
 void PoseViews::see_block(const PlacedDevice& placed, const PoseTrees::Node& node,
                           bool all_in_view, Sight sight) {
-  const auto block =
-      std::span(trees_.poses).subspan(node.first, node.end - node.first);
+  const auto block = std::span(trees_.poses).subspan(node.first, node.end - node.first);
   std::uint64_t left = all_in_view ? ~std::uint64_t{0} >> (kLanes - block.size())
                                    : in_view(placed, block);
   for (; left != 0; left &= left - 1) {

@@ -14,9 +14,9 @@ namespace delos {
 /// of one spot that face elsewhere share them.
 struct SightsOfMarker {
   enum class Asked : std::uint8_t { no, yes };
-  std::vector<Asked> asked;         ///< of each node
-  std::vector<Sight> node;          ///< of each node, once asked
-  std::vector<Sight> pose;          ///< of each pose in the trees' order
+  std::vector<Asked> asked;  ///< of each node
+  std::vector<Sight> node;   ///< of each node, once asked
+  std::vector<Sight> pose;   ///< of each pose in the trees' order
 };
 
 /// Asks devices of a system one after the other. One a thread.
@@ -58,8 +58,8 @@ class PoseViews {
   MeasureScratch scratch_;
   // Of the walk through one tree.
   std::size_t marker_ = 0;
-  Eigen::Vector3d arm_;        // from the target's origin to the marker, in W
-  bool tells_balls_ = true;    // the device knows of whole balls
+  Eigen::Vector3d arm_;      // from the target's origin to the marker, in W
+  bool tells_balls_ = true;  // the device knows of whole balls
 };
 
 }  // namespace delos

@@ -63,9 +63,8 @@ struct CandidateViews {
 /// @returns nothing, without even a `first`, where go_on said no
 /// @pre `system` was built of all.scene; fewer than 2³¹ poses
 /// @throws DeviceFault
-[[nodiscard]] DELOS_API CandidateViews
-candidate_views(const System& system, const CandidateScene& all,
-                std::span<const TargetPose> poses, int threads = 0,
-                const std::function<bool(double)>& go_on = {});
+[[nodiscard]] DELOS_API CandidateViews candidate_views(
+    const System& system, const CandidateScene& all, std::span<const TargetPose> poses,
+    int threads = 0, const std::function<bool(double)>& go_on = {});
 
 }  // namespace delos

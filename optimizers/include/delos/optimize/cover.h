@@ -94,8 +94,9 @@ struct Uncoverable : std::invalid_argument {
 ///
 /// Reductions, greedy and a local search that weighs samples which stay unseen; bounds
 /// by Lagrangian relaxation, rounded up where all costs are whole; small remainders are
-/// enumerated. However short the time, the greedy cover and a bound are found. The same answer for any number of threads, unless the clock ends it.
-/// Sources: docs/selection.md.
+/// enumerated. However short the time, the greedy cover and a bound are found. The same
+/// answer for any number of threads, unless the clock ends it. Sources:
+/// docs/selection.md.
 /// @throws std::invalid_argument nothing to see; lists that don't fit together; a cost
 ///         that isn't positive; two of a group fixed in
 /// @throws Uncoverable samples that can't be covered
