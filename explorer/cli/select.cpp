@@ -1,5 +1,6 @@
 // delos select: a choice of candidates, and how far from the best possible it is.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -41,6 +42,9 @@ class BoundLine {
     const auto text = [&](double x) {
       return std::isfinite(x) ? format_quantity(x, unit) : std::string("none yet");
     };
+    if (at.ready < 1)
+      return line_.update("candidates asked what they see: " +
+                          format_quantity(100 * at.ready, "1", 2) + " %");
     line_.update(text(at.value) + ", at best " + text(at.lower_bound) + ", after " +
                  counted(at.nodes, "node"));
   }
@@ -94,6 +98,7 @@ void write_chosen(const SelectCommand& command, const Scene& scene,
 }
 
 int run(SelectCommand& command) {
+  const auto begin = std::chrono::steady_clock::now();
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   const Samples samples = planned_samples(loaded.scene);
@@ -114,6 +119,8 @@ int run(SelectCommand& command) {
       return body();
     } catch (const std::invalid_argument& refusal) {
       line.clear();
+      if (interrupt.requested())
+        throw Failure{kCancelled, "stopped before there was a choice"};
       throw Failure{kDiagnostics, command.scene.string() + ": " + refusal.what()};
     } catch (const std::runtime_error& failure) {
       line.clear();
@@ -121,6 +128,9 @@ int run(SelectCommand& command) {
     }
   };
   if (loaded.scene.selection.cover) {
+    // Where there are very many candidates, reading the scene takes seconds too.
+    const std::chrono::duration<double> read = std::chrono::steady_clock::now() - begin;
+    command.search.seconds = std::max(0.1, command.search.seconds - read.count());
     const SceneCover cover =
         refusable([&] { return cover_scene(loaded.scene, plugins, command.search); });
     line.clear();

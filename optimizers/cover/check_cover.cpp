@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 namespace delos {
 namespace {
@@ -95,15 +96,16 @@ void check_cover(const CoverProblem& problem) {
   if (!findings.none()) throw std::invalid_argument(findings.text());
 }
 
-void refuse_uncoverable(const std::vector<int>& missed) {
+void refuse_uncoverable(std::vector<int> missed) {
   if (missed.empty()) return;
   std::string names;
   for (std::size_t k = 0; k < missed.size() && k < kNamed; ++k)
     names += (k ? ", " : "") + std::to_string(missed[k]);
   if (missed.size() > kNamed)
     names += " and " + std::to_string(missed.size() - kNamed) + " more";
-  throw std::invalid_argument("too few candidates see sample" +
-                              std::string(missed.size() > 1 ? "s " : " ") + names);
+  const std::string text = "too few candidates see sample" +
+                           std::string(missed.size() > 1 ? "s " : " ") + names;
+  throw Uncoverable(text, std::move(missed));
 }
 
 }  // namespace delos

@@ -12,7 +12,7 @@ namespace delos {
 ///         covered
 void check_cover(const CoverProblem& problem);
 
-/// @throws std::invalid_argument naming these samples, unless there are none
-void refuse_uncoverable(const std::vector<int>& samples);
+/// @throws Uncoverable naming these samples, unless there are none
+void refuse_uncoverable(std::vector<int> samples);
 
 }  // namespace delos

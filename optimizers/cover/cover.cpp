@@ -23,8 +23,11 @@ namespace {
 
 /// List entries that a walk reads in the first round, doubled from round to round, and
 /// in a late one; those of the largest core that is enumerated, since nodes copy it.
+/// A step of the bound reads all, which is more in the largest.
 constexpr std::int64_t kFirstWork = 100'000, kMostWork = 20'000'000;
 constexpr std::size_t kTreeEntries = 20'000'000;
+/// The part of the time that reductions may take.
+constexpr double kForReductions = 0.3;
 
 /// Do all tasks, several at once.
 void run_all(const std::vector<std::function<void()>>& tasks, int threads) {
@@ -63,20 +66,26 @@ bool whole_costs(const CoverProblem& problem) {
 /// A core under search from both sides; costs are those of the whole problem.
 class Rounds {
  public:
-  Rounds(const CoverProblem& problem, const CoverOptions& options, CoverCore core)
+  Rounds(const CoverProblem& problem, const CoverOptions& options, CoverCore core,
+         int threads)
       : problem_(problem),
         options_(options),
         core_(std::move(core)),
         whole_(whole_costs(problem)),
-        dual_(core_) {
+        dual_(core_),
+        most_work_(std::max(kMostWork,
+                            2 * static_cast<std::int64_t>(core_.seen.items.size()))) {
     const auto seed = [&](std::uint64_t k) {
       return options.seed + 0x9e3779b97f4a7c15ull * k;
     };
-    walks_.emplace_back(core_, seed(1));
+    // However little time there is, a cover and some bound there are.
+    std::optional<CoverSelection> greedy;
+    run_all({[&] { greedy.emplace(core_); }, [&] { dual_.step(kInfinity); }}, threads);
+    walks_.emplace_back(core_, *greedy, seed(1));
     if (CoverAnnealing::suits(core_))
-      annealing_.emplace(core_, seed(2));
+      annealing_.emplace(core_, *greedy, seed(2));
     else
-      walks_.emplace_back(core_, seed(2));
+      walks_.emplace_back(core_, *greedy, seed(2));
     bound_ = core_.chosen_cost;
     merge();
   }
@@ -93,7 +102,7 @@ class Rounds {
       tasks.push_back([&] { walk.run(work_, limit, enough); });
     if (annealing_) tasks.push_back([&] { annealing_->run(work_, limit, enough); });
     run_all(tasks, threads);
-    work_ = std::min(2 * work_, kMostWork);
+    work_ = std::min(2 * work_, most_work_);
     merge();
   }
 
@@ -161,17 +170,13 @@ class Rounds {
   std::optional<CoverAnnealing> annealing_;
   Lagrangian dual_;
   std::unique_ptr<CoverTree> tree_;
-  std::int64_t work_ = kFirstWork;
+  std::int64_t work_ = kFirstWork, most_work_;
   double cost_ = kInfinity, bound_ = 0;
   std::vector<int> chosen_;
 };
 
-CoverStop search(Rounds& rounds, const CoverOptions& options,
+CoverStop search(Rounds& rounds, const CoverOptions& options, int threads,
                  std::chrono::steady_clock::time_point deadline) {
-  const int threads =
-      options.threads > 0
-          ? options.threads
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CoverProgress told;
   for (int round = 0;; ++round) {
     const CoverProgress now{rounds.cost(), rounds.bound()};
@@ -239,18 +244,26 @@ CoverAnswer solve_cover(const CoverProblem& problem, const CoverOptions& options
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   check_cover(problem);
+  const auto after = [&](double seconds) {
+    return begin + std::chrono::duration_cast<Clock::duration>(
+                       std::chrono::duration<double>(std::min(seconds, 1e8)));
+  };
   CoverCore core = core_of(problem);
   refuse_uncoverable(uncoverable(core));
-  core = reduced(std::move(core));
+  const auto enough = after(kForReductions * options.seconds);
+  core = reduced(std::move(core), [&] {
+    return Clock::now() >= enough || (options.cancel && options.cancel->load());
+  });
 
   CoverAnswer answer;
   answer.samples_left = core.samples();
   answer.candidates_left = core.candidates();
-  Rounds rounds(problem, options, std::move(core));
-  const auto deadline =
-      begin + std::chrono::duration_cast<Clock::duration>(
-                  std::chrono::duration<double>(std::min(options.seconds, 1e8)));
-  answer.stop = search(rounds, options, deadline);
+  const int threads =
+      options.threads > 0
+          ? options.threads
+          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  Rounds rounds(problem, options, std::move(core), threads);
+  answer.stop = search(rounds, options, threads, after(options.seconds));
   answer.chosen = rounds.chosen();
   answer.cost = rounds.cost();
   answer.lower_bound = answer.proven() ? answer.cost : rounds.bound();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace delos {
 namespace {
@@ -19,8 +20,12 @@ constexpr std::int64_t kFirstFall = 500'000'000;
 
 }  // namespace
 
-CoverAnnealing::CoverAnnealing(const CoverCore& core, std::uint64_t seed)
-    : core_(core), selection_(core), random_(seed), fall_work_(kFirstFall) {}
+CoverAnnealing::CoverAnnealing(const CoverCore& core, CoverSelection begin,
+                               std::uint64_t seed)
+    : core_(core),
+      selection_(std::move(begin)),
+      random_(seed),
+      fall_work_(kFirstFall) {}
 
 bool CoverAnnealing::suits(const CoverCore& core) {
   return std::all_of(core.cost.begin(), core.cost.end(),

@@ -18,7 +18,8 @@ namespace delos {
 /// equal cost: one is exchanged for one.
 class CoverAnnealing {
  public:
-  CoverAnnealing(const CoverCore& core, std::uint64_t seed);
+  /// @param begin what it begins with, of this core
+  CoverAnnealing(const CoverCore& core, CoverSelection begin, std::uint64_t seed);
 
   /// @returns whether all candidates cost the same
   [[nodiscard]] static bool suits(const CoverCore& core);

@@ -57,18 +57,20 @@ class Supersets {
 };
 
 /// How many may see a sample: each candidate, but only one of a group.
-int seers_at_most(const CoverCore& core, int sample) {
+/// @param enough counting ends there
+int seers_at_most(const CoverCore& core, int sample, int enough) {
   std::vector<int> groups;
-  int single = 0;
+  int count = 0;
   for (const int j : core.seers[sample]) {
-    if (core.group[j] < 0)
-      ++single;
-    else
-      groups.push_back(core.group[j]);
+    if (count >= enough) break;
+    const int g = core.group[j];
+    if (g >= 0) {
+      if (std::find(groups.begin(), groups.end(), g) != groups.end()) continue;
+      groups.push_back(g);
+    }
+    ++count;
   }
-  std::sort(groups.begin(), groups.end());
-  const auto last = std::unique(groups.begin(), groups.end());
-  return single + static_cast<int>(last - groups.begin());
+  return count;
 }
 
 /// Choose j: its samples demand one less; it and its group are free no more.
@@ -85,7 +87,7 @@ void choose(CoverCore& core, int j, std::vector<char>& keep) {
 void force(CoverCore& core, std::vector<char>& keep) {
   std::vector<char> needed(core.candidates(), 0);
   for (int i = 0; i < core.samples(); ++i) {
-    if (seers_at_most(core, i) != core.demand[i]) continue;
+    if (seers_at_most(core, i, core.demand[i] + 1) != core.demand[i]) continue;
     for (const int j : core.seers[i])
       if (core.group[j] < 0) needed[j] = 1;
   }
@@ -94,9 +96,11 @@ void force(CoverCore& core, std::vector<char>& keep) {
 }
 
 /// Samples that others imply, of those that are left.
-void drop_samples(const CoverCore& core, std::vector<char>& keep) {
+void drop_samples(const CoverCore& core, std::vector<char>& keep,
+                  const std::function<bool()>& stop) {
   const Supersets implied(core.seers, core.seen);
   for (int i = 0; i < core.samples(); ++i) {
+    if (stop && stop()) return;
     if (!keep[i]) continue;
     implied.each(i, [&](int other) {
       const bool equal = core.demand[other] == core.demand[i] &&
@@ -109,9 +113,11 @@ void drop_samples(const CoverCore& core, std::vector<char>& keep) {
 }
 
 /// Candidates that others replace.
-void drop_candidates(const CoverCore& core, std::vector<char>& keep) {
+void drop_candidates(const CoverCore& core, std::vector<char>& keep,
+                     const std::function<bool()>& stop) {
   const Supersets better(core.seen, core.seers);
   for (int j = 0; j < core.candidates(); ++j) {
+    if (stop && stop()) return;
     int need = 0;
     for (const int i : core.seen[j]) need = std::max(need, core.demand[i]);
     if (need == 0) keep[j] = 0;
@@ -162,7 +168,9 @@ CoverCore without(CoverCore core, const std::vector<char>& keep_candidate,
     for (std::size_t k = 0; k < which.size(); ++k) values[k] = values[which[k]];
     values.resize(which.size());
   };
-  core.seen = selected(core.seen, candidates, number);
+  core.seers = {};  // gigabytes, in large ones
+  if (any_gone(keep_candidate) || any_gone(keep_sample))
+    core.seen = selected(core.seen, candidates, number);
   core.seers = transposed(core.seen, static_cast<int>(samples.size()));
   pick(core.cost, candidates);
   pick(core.group, candidates);
@@ -178,7 +186,7 @@ CoverCore without(CoverCore core, const std::vector<char>& keep_candidate,
 std::vector<int> unmet(const CoverCore& core) {
   std::vector<int> samples;
   for (int i = 0; i < core.samples(); ++i)
-    if (seers_at_most(core, i) < core.demand[i]) samples.push_back(i);
+    if (seers_at_most(core, i, core.demand[i]) < core.demand[i]) samples.push_back(i);
   return samples;
 }
 
@@ -198,7 +206,6 @@ CoverCore core_of(const CoverProblem& problem) {
   const int n = problem.candidates();
   core.seen.start = problem.start;
   core.seen.items = problem.seen;
-  core.seers = transposed(core.seen, problem.samples);
   core.cost = problem.cost;
   core.demand = problem.demand;
   core.group = problem.group.empty() ? std::vector<int>(n, -1) : problem.group;
@@ -214,16 +221,16 @@ CoverCore core_of(const CoverProblem& problem) {
   return with_only(std::move(core), keep);
 }
 
-CoverCore reduced(CoverCore core) {
-  for (bool more = true; more;) {
+CoverCore reduced(CoverCore core, const std::function<bool()>& stop) {
+  for (bool more = true; more && !(stop && stop());) {
     std::vector<char> keep(core.candidates(), 1);
     force(core, keep);
     std::vector<char> keep_sample = demanding(core);
-    drop_samples(core, keep_sample);
+    drop_samples(core, keep_sample, stop);
     more = any_gone(keep) || any_gone(keep_sample);
     if (more) core = without(std::move(core), keep, keep_sample);
     keep.assign(core.candidates(), 1);
-    drop_candidates(core, keep);
+    drop_candidates(core, keep, stop);
     if (!any_gone(keep)) continue;
     more = true;
     core = with_only(std::move(core), keep);

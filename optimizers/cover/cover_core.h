@@ -1,6 +1,7 @@
 // What is left of a covering problem once the obvious is decided.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "cover/incidence.h"
@@ -20,7 +21,7 @@ struct CoverCore {
   std::vector<int> chosen;     ///< decided: numbers in the problem
   double chosen_cost = 0;
 
-  [[nodiscard]] int samples() const { return seers.size(); }
+  [[nodiscard]] int samples() const { return static_cast<int>(demand.size()); }
   [[nodiscard]] int candidates() const { return seen.size(); }
 };
 
@@ -37,7 +38,8 @@ struct CoverCore {
 /// A candidate without which a sample's demand can't be met is chosen.
 /// Source: Caprara, Toth, Fischetti (2000), Ann. Oper. Res. 98, 353–371, sec. 2, with
 /// demands.
-[[nodiscard]] CoverCore reduced(CoverCore core);
+/// @param stop asked again and again: whether what was found so far is enough
+[[nodiscard]] CoverCore reduced(CoverCore core, const std::function<bool()>& stop = {});
 
 /// The core with a candidate chosen.
 [[nodiscard]] CoverCore with_chosen(CoverCore core, int candidate);

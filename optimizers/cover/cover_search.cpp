@@ -1,6 +1,7 @@
 #include "cover/cover_search.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace delos {
 namespace {
@@ -12,8 +13,9 @@ constexpr int kStaysIn = 1, kStaysOut = 3;
 
 using Exchange = CoverSelection::Exchange;
 
-CoverSearch::CoverSearch(const CoverCore& core, std::uint64_t seed)
-    : core_(core), selection_(core), random_(seed) {}
+CoverSearch::CoverSearch(const CoverCore& core, CoverSelection begin,
+                         std::uint64_t seed)
+    : core_(core), selection_(std::move(begin)), random_(seed) {}
 
 /// The candidate of most gain that sees the sample and is affordable; −1: none.
 int CoverSearch::most_gain(int sample, double limit) const {

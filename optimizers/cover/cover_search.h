@@ -21,7 +21,8 @@ namespace delos {
 /// groups.
 class CoverSearch {
  public:
-  CoverSearch(const CoverCore& core, std::uint64_t seed);
+  /// @param begin where the walk begins, of this core
+  CoverSearch(const CoverCore& core, CoverSelection begin, std::uint64_t seed);
 
   /// Search on until about `work` list entries were read, or a cover costs `enough`.
   /// @param limit only covers that cost less are looked for

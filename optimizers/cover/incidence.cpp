@@ -1,6 +1,13 @@
 #include "cover/incidence.h"
 
 namespace delos {
+namespace {
+
+/// Lists written to side by side, about as many as the pages whose addresses processors
+/// remember.
+constexpr std::int64_t kAtHand = 1024;
+
+}  // namespace
 
 Lists transposed(const Lists& lists, int count) {
   Lists out;
@@ -9,8 +16,15 @@ Lists transposed(const Lists& lists, int count) {
   for (std::size_t i = 1; i < out.start.size(); ++i) out.start[i] += out.start[i - 1];
   out.items.resize(lists.items.size());
   std::vector<std::int64_t> next(out.start.begin(), out.start.end() - 1);
-  for (int j = 0; j < lists.size(); ++j)
-    for (const std::int32_t item : lists[j]) out.items[next[item]++] = j;
+  // Some items at a time, so that the lists that are written to stay at hand.
+  std::vector<std::int64_t> read(lists.start.begin(), lists.start.end() - 1);
+  for (std::int64_t end = kAtHand; end < count + kAtHand; end += kAtHand)
+    for (int j = 0; j < lists.size(); ++j) {
+      std::int64_t k = read[j];
+      for (; k < lists.start[j + 1] && lists.items[k] < end; ++k)
+        out.items[next[lists.items[k]]++] = j;
+      read[j] = k;
+    }
   return out;
 }
 

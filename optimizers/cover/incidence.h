@@ -19,6 +19,7 @@ struct Lists {
 };
 
 /// The lists of who has an item, of `count` items, in rising order.
+/// @pre lists rise
 [[nodiscard]] Lists transposed(const Lists& lists, int count);
 
 /// The lists of those that `keep` (old numbers, rising), of items renumbered; −1: gone.

@@ -12,6 +12,12 @@ namespace {
 /// how much of the last direction is kept. Chosen on the instances of bench_cover.
 constexpr double kLongest = 0.5, kShortest = 1e-3, kMomentum = 0.95;
 constexpr int kPatience = 200;
+/// In large ones patience ends with this many list entries, but not before so many
+/// steps: their time is over before λ has fallen otherwise.
+constexpr std::int64_t kPatientWork = 400'000'000;
+constexpr int kLeastPatience = 5;
+/// The least relative gain for which u is let grow on.
+constexpr double kWorthFilling = 1e-3;
 
 }  // namespace
 
@@ -21,11 +27,15 @@ Lagrangian::Lagrangian(const CoverCore& core, std::vector<double> start)
       r_(core.candidates()),
       slope_(core.samples()),
       direction_(core.samples(), 0),
-      length_(kLongest) {
+      length_(kLongest),
+      patience_(static_cast<int>(std::clamp<std::int64_t>(
+          kPatientWork / (static_cast<std::int64_t>(core.seen.items.size()) + 1),
+          kLeastPatience, kPatience))) {
   int groups = 0;
   for (const int g : core.group) groups = std::max(groups, g + 1);
   least_.assign(groups, -1);
   if (!u_.empty()) return;
+  filling_ = true;
   u_.assign(core.samples(), kInfinity);
   for (int j = 0; j < core.candidates(); ++j)
     for (const int i : core.seen[j])
@@ -63,7 +73,7 @@ double Lagrangian::evaluate() {
 /// Shorter steps where they lead no higher.
 void Lagrangian::adapt(double value) {
   if (value > bound_ + 1e-4 * std::abs(bound_)) idle_ = 0;
-  if (++idle_ < kPatience) return;
+  if (++idle_ < patience_) return;
   idle_ = 0;
   length_ /= 2;
   settled_ = length_ < kShortest;
@@ -71,8 +81,30 @@ void Lagrangian::adapt(double value) {
   std::fill(direction_.begin(), direction_.end(), 0.0);
 }
 
+/// Where r ≥ 0 at u, so it is at
+///
+///   u_i min_{j ∋ i} c_j/Σ_{k ∈ S(j)} u_k ≥ u_i
+///
+/// since of no candidate the sum grows by more than the factor that it allows.
+void Lagrangian::fill_up() {
+  for (int i = 0; i < core_.samples(); ++i) {
+    double room = kInfinity;
+    for (const int j : core_.seers[i])
+      room = std::min(room, core_.cost[j] / (core_.cost[j] - best_r_[j]));
+    u_[i] = best_u_[i] * std::max(1.0, room);
+  }
+}
+
 void Lagrangian::step(double target) {
   const double value = evaluate();
+  if (filling_) {
+    filling_ = value > bound_ + kWorthFilling * std::abs(value);
+    bound_ = value;
+    best_u_ = u_;
+    best_r_ = r_;
+    fill_up();
+    return;
+  }
   adapt(value);
   if (value > bound_) {
     bound_ = value;

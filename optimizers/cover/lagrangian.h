@@ -15,13 +15,16 @@ namespace delos {
 /// less than L(u) + r_j if it has a candidate j with r_j > 0. Sources: Held, Karp
 /// (1971), Math. Program. 1, 6–25; Caprara, Fischetti, Toth (1999), Oper. Res. 47(5),
 /// 730–743, sec. 3: step lengths.
+///
+/// Without multipliers to begin with, u_i = min_{j ∋ i} c_j/|S(j)|, for which all
+/// r_j ≥ 0; the first steps let every u_i grow as far as no r_j falls below 0, for as
+/// long as that is worth it. Few steps of subgradients raise a bound so far.
 class Lagrangian {
  public:
-  /// @param start multipliers to begin with, one a sample; empty: costs shared out
-  /// evenly
+  /// @param start multipliers to begin with, one a sample; empty: as above
   explicit Lagrangian(const CoverCore& core, std::vector<double> start = {});
 
-  /// One step of a subgradient, as long as for a cost that is reached; ∞: none is
+  /// One step; of a subgradient as long as for a cost that is reached; ∞: none is
   /// known.
   void step(double target);
 
@@ -35,6 +38,7 @@ class Lagrangian {
 
  private:
   [[nodiscard]] double evaluate();
+  void fill_up();
   void adapt(double value);
 
   const CoverCore& core_;
@@ -43,8 +47,10 @@ class Lagrangian {
   std::vector<double> best_u_, best_r_;
   double bound_ = -1e300;
   double length_;  ///< λ
-  int idle_ = 0;   ///< steps without a better bound
+  int patience_;   ///< steps without a better bound, until λ halves
+  int idle_ = 0;   ///< such steps
   bool settled_ = false;
+  bool filling_ = false;  ///< u grows within r ≥ 0
 };
 
 }  // namespace delos

@@ -1,10 +1,20 @@
 #include "problem/assignment.h"
 
+#include <stdexcept>
+
 #include "delos/model/infinity.h"
 
 namespace delos {
+namespace {
+
+/// Sums of such numbers stay finite.
+constexpr double kMostCost = 1e300;
+
+}  // namespace
 
 std::vector<std::size_t> cheapest_assignment(const Eigen::MatrixXd& cost) {
+  if (!(cost.array().abs() <= kMostCost).all())
+    throw std::invalid_argument("layouts are compared that are endlessly far apart");
   const Eigen::Index n = cost.rows();
   constexpr Eigen::Index kNone = -1;
   // Reduced costs cost(i, j) − u(i) − v(j) stay ≥ 0, and are 0 where i goes with j.

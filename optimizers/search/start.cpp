@@ -59,6 +59,11 @@ template <class Evaluate>
 EvaluationRecord Start::remembered(std::span<const double> x, bool slopes,
                                    Evaluate&& evaluate) {
   EvaluationRecord record;
+  record.score.slacks.resize(limits().size());
+  if (slopes) {
+    record.slope.resize(x.size());
+    record.slopes.resize(limits().size() * x.size());
+  }
   const EvaluationKey key{index_, number_++};
   if (!options_.ledger || !options_.ledger->recall(key, x, record)) {
     evaluate(record);
@@ -77,8 +82,6 @@ Score Start::hard(std::span<const double> x) {
 EvaluationRecord Start::soft(std::span<const double> x, double width) {
   return remembered(x, true, [&](EvaluationRecord& r) {
     r.width = width;
-    r.slope.resize(x.size());
-    r.slopes.resize(limits().size() * x.size());
     r.score = stage_->score_with_slopes(x, width, r.slope.data(), r.slopes.data());
   });
 }

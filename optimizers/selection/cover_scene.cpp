@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 
 #include "delos/layers/candidate_information.h"
+#include "delos/model/infinity.h"
 #include "delos/scene/definition.h"
 #include "delos/text/words.h"
 #include "selection/question.h"
@@ -43,6 +45,31 @@ CoverProblem problem_of(const CandidateScene& all, CandidateViews views) {
   return problem;
 }
 
+/// The part of the time in which it must be known what candidates see: the rest is for
+/// a first cover and bound.
+constexpr double kForViews = 0.85;
+
+/// What candidates see, with progress, unless the time ends first.
+CandidateViews views_in_time(const System& system, const CandidateScene& all,
+                             const std::vector<TargetPose>& poses,
+                             const SelectOptions& options,
+                             const std::function<double()>& elapsed) {
+  double part = 0;
+  CandidateViews views =
+      candidate_views(system, all, poses, options.threads, [&](double ready) {
+        part = ready;
+        if (options.progress) options.progress({kInfinity, 0, 0, ready});
+        return elapsed() < kForViews * options.seconds &&
+               !(options.cancel && options.cancel->load());
+      });
+  if (!views.first.empty()) return views;
+  throw std::invalid_argument(
+      std::to_string(static_cast<int>(100 * part)) + " % of " +
+      std::to_string(all.candidates.size()) +
+      " candidates were asked what they see of " + std::to_string(poses.size()) +
+      " samples before the time was over; allow more seconds, or fewer of them");
+}
+
 /// The first few samples that are seen too seldom, for the user.
 std::string blind_text(const std::vector<int>& blind,
                        const std::vector<TargetPose>& poses, int wanted) {
@@ -76,10 +103,7 @@ SceneCover cover_scene(const Scene& scene, PluginRegistry& plugins,
   const System system = build_system(cover.all.scene, plugins);
   const std::vector<TargetPose> poses = poses_to_see(scene, system);
   const CoverProblem problem =
-      problem_of(cover.all, candidate_views(system, cover.all, poses, options.threads));
-  const std::vector<int> blind = uncoverable(problem);
-  if (!blind.empty())
-    throw std::invalid_argument(blind_text(blind, poses, *scene.selection.cover));
+      problem_of(cover.all, views_in_time(system, cover.all, poses, options, elapsed));
 
   CoverOptions how;
   how.seed = options.seed;
@@ -90,7 +114,14 @@ SceneCover cover_scene(const Scene& scene, PluginRegistry& plugins,
     how.progress = [&](const CoverProgress& at) {
       options.progress({at.cost, at.bound, 0});
     };
-  const CoverAnswer answer = solve_cover(problem, how);
+  const CoverAnswer answer = [&] {
+    try {
+      return solve_cover(problem, how);
+    } catch (const Uncoverable& blind) {
+      throw std::invalid_argument(
+          blind_text(blind.samples, poses, *scene.selection.cover));
+    }
+  }();
   if (!answer.found())
     throw std::invalid_argument(
         answer.stop == CoverStop::infeasible

@@ -41,9 +41,14 @@ class Statement {
 /// system before it returns: a killed process loses nothing that it was told is there.
 class Database {
  public:
+  /// What can't be written, or is in a folder that can't, is opened for reading.
   /// @param create make it; it is written in one go then, without a log beside it
   /// @throws std::runtime_error it can't be opened or made
   Database(const std::filesystem::path& file, bool create);
+
+  /// @throws std::runtime_error pages of the file are missing or damaged
+  /// @cost reads all of it
+  void check_whole() const;
 
   [[nodiscard]] Statement prepare(const char* sql) const;
   /// Run statements that give no rows.
@@ -51,7 +56,14 @@ class Database {
 
  private:
   std::filesystem::path file_;
+  bool had_log_;  ///< beside it, when it was opened
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
 };
+
+/// Give a file that was made under another name its own.
+/// @returns whether there was none of that name; else the made one is removed
+/// @throws std::runtime_error it can't be renamed
+[[nodiscard]] bool publish(const std::filesystem::path& made,
+                           const std::filesystem::path& file);
 
 }  // namespace delos

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace delos {
 
@@ -29,10 +30,16 @@ bool DatabaseLedger::recall(const EvaluationKey& key, std::span<const double> x,
         "the study was made by another version or on another machine: its evaluation " +
         std::to_string(key.number) + " of start " + std::to_string(key.start) +
         " is elsewhere; begin a new study from its best design");
-  record.width = s.real(1);
-  record.score = {s.real(2), s.numbers(3)};
-  record.slope = s.numbers(4);
-  record.slopes = s.numbers(5);
+  EvaluationRecord kept{
+      s.real(1), {s.real(2), s.numbers(3)}, s.numbers(4), s.numbers(5)};
+  if (kept.score.slacks.size() != record.score.slacks.size() ||
+      kept.slope.size() != record.slope.size() ||
+      kept.slopes.size() != record.slopes.size())
+    throw std::runtime_error(
+        "the study is damaged, or was made by another version: its evaluation " +
+        std::to_string(key.number) + " of start " + std::to_string(key.start) +
+        " has lists of other lengths; begin a new study from its best design");
+  record = std::move(kept);
   return true;
 }
 

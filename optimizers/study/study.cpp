@@ -1,6 +1,11 @@
 #include "delos/optimize/study.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <optional>
@@ -34,13 +39,19 @@ CREATE TABLE acts (
 )";
 constexpr const char* kFormat = "delos study 1";
 
+/// Whether a search can have looked there.
+bool in_unit_interval(double x) { return x >= -1e-6 && x <= 1 + 1e-6; }
+
 }  // namespace
 
 struct Study::State {
   State(const std::filesystem::path& path, bool create, PluginRegistry& registry)
-      : file(path), database(path, create), plugins(registry) {}
+      : file(path), database(path, create), plugins(registry) {
+    stat(file.c_str(), &identity);
+  }
 
   std::filesystem::path file;
+  struct stat identity {};
   Database database;
   PluginRegistry& plugins;
 
@@ -48,6 +59,20 @@ struct Study::State {
     Statement s = database.prepare("SELECT value FROM facts WHERE name = ?");
     s.bind(1, name);
     return s.step() ? s.text(0) : std::string();
+  }
+  [[noreturn]] void damaged(const std::string& what) const {
+    throw std::runtime_error(file.string() + ": the study is damaged: " + what);
+  }
+  /// A fact that is a whole number, ≥ 0.
+  template <class Number>
+  [[nodiscard]] Number whole_fact(const std::string& name) const {
+    const std::string text = fact(name);
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [at, problem] = std::from_chars(text.data(), end, value);
+    if (problem != std::errc() || at != end || value < Number{0})
+      damaged("its " + name + " is '" + text + "', not a whole number");
+    return value;
   }
   void set_fact(const std::string& name, const std::string& value) {
     database.prepare("INSERT INTO facts VALUES (?, ?)")
@@ -59,10 +84,10 @@ struct Study::State {
   [[nodiscard]] StudyPlan plan() const {
     StudyPlan plan;
     plan.algorithm = fact("algorithm");
-    plan.starts = std::stoi(fact("starts"));
-    plan.evaluations = std::stoi(fact("evaluations"));
-    plan.seed = std::stoull(fact("seed"));
-    plan.samples = std::stoull(fact("samples"));
+    plan.starts = whole_fact<int>("starts");
+    plan.evaluations = whole_fact<int>("evaluations");
+    plan.seed = whole_fact<std::uint64_t>("seed");
+    plan.samples = whole_fact<std::size_t>("samples");
     plan.version = fact("version");
     return plan;
   }
@@ -165,6 +190,18 @@ struct Study::State {
   }
   [[nodiscard]] StudyPosition position() const { return journal().position(); }
 
+  /// @throws std::runtime_error somebody has deleted or replaced the file: what is
+  ///         written to it is lost
+  void check_there() const {
+    struct stat now {};
+    if (stat(file.c_str(), &now) == 0 && now.st_ino == identity.st_ino &&
+        now.st_dev == identity.st_dev)
+      return;
+    throw std::runtime_error(file.string() +
+                             " was deleted or replaced while it was searched; begin "
+                             "another study");
+  }
+
   [[nodiscard]] bool asked_to_stop(const OptimizeOptions& options) const {
     return (options.cancel && options.cancel->load()) || !fact("pause").empty();
   }
@@ -180,11 +217,15 @@ Study::~Study() = default;
 Study Study::create(const std::filesystem::path& file, const Scene& scene,
                     const std::filesystem::path& folder, const StudyPlan& plan,
                     PluginRegistry& plugins) {
-  if (std::filesystem::exists(file))
-    throw std::runtime_error(file.string() +
-                             " exists already; resume it, or choose another name");
-  // Made under another name, so that a study is whole or isn't there.
-  const std::filesystem::path unborn = file.string() + ".new";
+  const auto exists = [&] {
+    return std::runtime_error(file.string() +
+                              " exists already; resume it, or choose another name");
+  };
+  if (std::filesystem::exists(file)) throw exists();
+  // Made under another name, of this process alone, so that a study is whole or isn't
+  // there.
+  const std::filesystem::path unborn =
+      file.string() + ".new-" + std::to_string(getpid());
   std::filesystem::remove(unborn);
   {
     State state(unborn, true, plugins);
@@ -204,7 +245,7 @@ Study Study::create(const std::filesystem::path& file, const Scene& scene,
     state.begin_round(1, {with_guess(scene, plugins), {}}, 0, plan.evaluations);
     state.database.run("COMMIT");
   }
-  std::filesystem::rename(unborn, file);
+  if (!publish(unborn, file)) throw exists();
   return Study(file, plugins);
 }
 
@@ -220,6 +261,7 @@ Study::Study(const std::filesystem::path& file, PluginRegistry& plugins) {
   }
   if (format != kFormat)
     throw std::runtime_error(file.string() + " isn't a study that this version reads");
+  state_->database.check_whole();
 }
 
 StudySummary Study::summary() const {
@@ -261,6 +303,7 @@ std::vector<StudyEvaluation> Study::evaluations(int round) const {
       "= ? ORDER BY start, number");
   s.bind(1, std::int64_t{round});
   std::vector<StudyEvaluation> all;
+  std::optional<std::size_t> variables, limits;
   while (s.step()) {
     const Score score{s.real(3), s.numbers(4)};
     all.push_back({round,
@@ -269,6 +312,15 @@ std::vector<StudyEvaluation> Study::evaluations(int round) const {
                    score.objective,
                    score.feasible(),
                    s.numbers(5)});
+    const StudyEvaluation& e = all.back();
+    if (!variables) variables = searched_scene(round).variables.size();
+    if (!limits) limits = score.slacks.size();
+    if (e.x.size() != *variables || score.slacks.size() != *limits ||
+        !std::all_of(e.x.begin(), e.x.end(), in_unit_interval) ||
+        std::isnan(e.objective))
+      state_->damaged("evaluation " + std::to_string(e.key.number) + " of start " +
+                      std::to_string(e.key.start) + " of round " +
+                      std::to_string(round) + " isn't a design of its variables");
   }
   return all;
 }
@@ -304,6 +356,7 @@ OptimizeResult Study::State::run_round(int number, const OptimizeOptions& option
   const StudyPlan of_study = plan();
   std::atomic<bool> stop = false;
   DatabaseLedger ledger(database, number, [&] {
+    check_there();
     if (acts_so_far() > at.acts || asked_to_stop(options)) stop = true;
   });
   OptimizeOptions search = options;
@@ -372,6 +425,7 @@ OptimizeResult Study::run(const OptimizeOptions& options) {
     try {
       // A round that has ended is run again from what is remembered of it.
       OptimizeResult result = s.run_round(number, options);
+      s.check_there();
       if (s.asked_to_stop(options) || s.acts_from(last.acts).empty()) return result;
     } catch (const std::invalid_argument&) {
       // Nothing can be searched here. Acts that came since may mend that.

@@ -141,7 +141,7 @@ int finds(int decoys) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const CoverProblem problem = planted(decoys, seed);
     const CoverCore core = core_of(problem);
-    Search search(core, seed);
+    Search search(core, CoverSelection(core), seed);
     EXPECT_GT(search.selection().best_cost(), 14) << "greedy is worse";
     search.run(20'000'000, kNone, 12);
     EXPECT_TRUE(is_cover(problem, search.selection().best()));
@@ -164,7 +164,7 @@ TEST(CoverAnnealing, ComesNearTheStoredCover) {
   const CoverProblem problem = camera_placement(*instance);
   const CoverCore core = core_of(problem);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    CoverAnnealing annealing(core, seed);
+    CoverAnnealing annealing(core, CoverSelection(core), seed);
     EXPECT_GT(annealing.selection().best_cost(), 80) << "greedy is near";
     annealing.run(600'000'000, kNone, 66);
     EXPECT_LE(annealing.selection().best_cost(), 66) << seed;
@@ -175,7 +175,7 @@ TEST(CoverAnnealing, ComesNearTheStoredCover) {
 TEST(CoverAnnealing, StaysBelowWhatOthersFound) {
   const CoverProblem problem = planted(200, 1);
   const CoverCore core = core_of(problem);
-  CoverAnnealing annealing(core, 1);
+  CoverAnnealing annealing(core, CoverSelection(core), 1);
   annealing.run(1'000'000, 14, 13);
   EXPECT_LE(annealing.selection().selected().size(), 13u);
 }

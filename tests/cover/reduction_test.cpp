@@ -38,6 +38,29 @@ TEST(Reduction, KeepsTheOptimum) {
   EXPECT_GE(smaller, 100);
 }
 
+// Wherever reductions are stopped.
+TEST(Reduction, KeepsTheOptimumUnfinished) {
+  int unfinished = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Variety variety{.samples = 7, .candidates = 12, .density = 0.55};
+    variety.most_demand = 1 + static_cast<int>(seed % 3);
+    variety.costs = seed % 2 == 0;
+    variety.groups = seed % 5 < 2;
+    const CoverProblem problem = random_cover(variety, seed);
+    const double optimum = enumerated(problem);
+    if (optimum > 1e300) continue;
+    const int end = reduced(core_of(problem)).candidates();
+    for (int asked = 0; asked < 20; asked += 3) {
+      int left = asked;
+      const CoverCore core = reduced(core_of(problem), [&] { return left-- <= 0; });
+      unfinished += core.candidates() > end;
+      const double rest = core.samples() == 0 ? 0 : enumerated(problem_of(core));
+      EXPECT_NEAR(core.chosen_cost + rest, optimum, 1e-9) << seed << ", " << asked;
+    }
+  }
+  EXPECT_GE(unfinished, 100);
+}
+
 // Candidate 0 sees {0, 1}, 1 sees {0}, 2 the same as 0 but dearer, 3 {2}: 3 is chosen,
 // and 0 alone is left, so that it is chosen too.
 TEST(Reduction, DecidesWhatIsPlain) {

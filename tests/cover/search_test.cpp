@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "cover/cover_selection.h"
 #include "cover/instances.h"
+#include "cover/lagrangian.h"
 
 namespace delos::test {
 namespace {
@@ -67,6 +69,56 @@ TEST(CoverSearch, BoundsAHiddenPartitionExactly) {
   const CoverAnswer answer = solve_cover(hidden_partition(300, 3, 3000, 1), options);
   EXPECT_EQ(answer.lower_bound, 100);
   EXPECT_GT(answer.cost, 101);
+}
+
+// With no time at all: the greedy cover, and a bound by prices. A candidate's cost,
+// shared out evenly, pays for its samples, of each the least share: Σ_i min 1/|S(j)|.
+TEST(CoverSearch, HasACoverAndABoundHoweverShortTheTime) {
+  const CoverProblem problem = hard();
+  std::vector<double> price(static_cast<std::size_t>(problem.samples), 1);
+  for (int j = 0; j < problem.candidates(); ++j)
+    for (auto k = problem.start[j]; k < problem.start[j + 1]; ++k) {
+      double& own = price[problem.seen[k]];
+      own = std::min(
+          own, 1.0 / static_cast<double>(problem.start[j + 1] - problem.start[j]));
+    }
+  double sum = 0;
+  for (const double p : price) sum += p;
+  CoverOptions options;
+  options.seconds = 1e-9;
+  const CoverAnswer answer = solve_cover(problem, options);
+  EXPECT_EQ(answer.stop, CoverStop::budget);
+  EXPECT_TRUE(is_cover(problem, answer.chosen));
+  EXPECT_EQ(answer.cost, CoverSelection(core_of(problem)).best_cost());
+  EXPECT_EQ(answer.lower_bound, std::ceil(sum));
+  EXPECT_GT(sum, 10);
+}
+
+// The first steps of a bound: prices that no candidate's cost falls short of, each as
+// high as the others let it, by definition.
+TEST(CoverSearch, RaisesPricesAsFarAsTheyGo) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const CoverProblem problem = random_cover(
+        {.samples = 60, .candidates = 90, .density = 0.1, .costs = true}, seed);
+    const CoverCore core = core_of(problem);
+    if (!unmet(core).empty()) continue;
+    Lagrangian dual(core);
+    double before = 0, sum = 0;
+    for (int step = 0; step < 8; ++step) {
+      dual.step(1e9);
+      EXPECT_GE(dual.bound(), before);
+      before = dual.bound();
+    }
+    for (const double u : dual.multipliers()) sum += u;
+    EXPECT_NEAR(dual.bound(), sum, 1e-9 * sum);
+    for (const double r : dual.reduced_costs()) EXPECT_GE(r, -1e-9);
+    for (int i = 0; i < core.samples(); ++i) {
+      double room = 1e9;
+      for (const int j : core.seers[i])
+        room = std::min(room, dual.reduced_costs()[j] / core.cost[j]);
+      EXPECT_LT(room, 0.05) << "sample " << i;
+    }
+  }
 }
 
 // Whole, but large: prices in cents. The proof is exact nevertheless.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "delos/layers/candidate_information.h"
@@ -81,6 +83,42 @@ TEST(SceneCover, CountsWhatIsThereAnyway) {
   const SceneCover kept =
       cover_scene(parse(anchors("cover: 1, keep: a-0, leave_out: a-1")), plugins(), {});
   EXPECT_EQ(kept.chosen, (std::vector<std::size_t>{0, 2}));
+}
+
+// 2904 candidates: first who sees what, then costs.
+TEST(SceneCover, TellsHowFarItIs) {
+  SelectOptions options;
+  options.seconds = 2;
+  options.threads = 1;
+  std::vector<SelectProgress> told;
+  options.progress = [&](const SelectProgress& at) { told.push_back(at); };
+  (void)cover_scene(load("14-camera-cover"), plugins(), options);
+  const auto searches =
+      std::find_if(told.begin(), told.end(),
+                   [](const SelectProgress& at) { return std::isfinite(at.value); });
+  EXPECT_GT(searches - told.begin(), 10);
+  EXPECT_GT(told.end() - searches, 0);
+  for (auto at = told.begin(); at != searches; ++at)
+    EXPECT_GE(at->ready, at == told.begin() ? 0 : (at - 1)->ready);
+  for (auto at = searches; at != told.end(); ++at) {
+    EXPECT_EQ(at->ready, 1);
+    EXPECT_GE(at->lower_bound, 1);
+  }
+}
+
+TEST(SceneCover, SaysWhereTheTimeIsTooShort) {
+  SelectOptions options;
+  options.seconds = 1e-6;
+  try {
+    (void)cover_scene(load("14-camera-cover"), plugins(), options);
+    FAIL();
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_NE(std::string(refusal.what())
+                  .find("of 2904 candidates were asked what they see of 605 samples "
+                        "before the time was over; allow more seconds"),
+              std::string::npos)
+        << refusal.what();
+  }
 }
 
 TEST(SceneCover, NamesWhatNoCandidateSees) {

@@ -42,6 +42,16 @@ TEST(Assignment, IsTheCheapestOfAllPermutations) {
   }
 }
 
+TEST(Assignment, RefusesWhatHasNoLeastSum) {
+  for (const double wrong : {double{NAN}, double{INFINITY}, -double{INFINITY}, 1e301}) {
+    Eigen::MatrixXd cost = Eigen::MatrixXd::Ones(3, 3);
+    cost(1, 2) = wrong;
+    EXPECT_THROW((void)cheapest_assignment(cost), std::invalid_argument) << wrong;
+    cost.row(1).setConstant(wrong);
+    EXPECT_THROW((void)cheapest_assignment(cost), std::invalid_argument) << wrong;
+  }
+}
+
 std::vector<Pose> poses_of(const Scene& scene) {
   std::vector<Pose> poses;
   for (const DeviceEntry& device : scene.devices)

@@ -6,10 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <tuple>
 
 #include "optimizers/scenes.h"
+#include "study/database.h"
 
 namespace delos::test {
 namespace {
@@ -245,6 +249,208 @@ TEST(Study, KeepsDropsForbidsAndInjects) {
     }
   }
   EXPECT_EQ(study.summary().acts.size(), 5u);
+}
+
+// ---- files that aren't as they were written ----
+
+/// What a call refuses with; fails the test where it doesn't.
+template <class Call>
+std::string refusal(Call&& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& failure) {
+    return failure.what();
+  }
+  ADD_FAILURE() << "not refused";
+  return {};
+}
+
+/// A study that has come to its end, and changes to its file.
+std::filesystem::path finished(const Folder& folder, const std::string& name,
+                               const char* change = nullptr) {
+  const std::filesystem::path file = folder.path / name;
+  (void)begun(file).run(one_thread());
+  if (change) Database(file, false).run(change);
+  return file;
+}
+
+TEST(Study, RefusesListsOfOtherLengths) {
+  const Folder folder;
+  for (const char* change :
+       {"UPDATE evaluations SET slacks = x''",
+        "UPDATE evaluations SET slope = x'' WHERE length(slope) > 0",
+        "UPDATE evaluations SET slope = zeroblob(8) WHERE slope IS NULL",
+        "UPDATE evaluations SET slopes = x'0000000000000000' WHERE length(slopes) > "
+        "0"}) {
+    const auto file = finished(folder, "s", change);
+    Study study(file, plugins());
+    const std::string text = refusal([&] { (void)study.run(one_thread()); });
+    EXPECT_NE(text.find("has lists of other lengths"), text.npos) << text;
+    std::filesystem::remove(file);
+  }
+}
+
+TEST(Study, RefusesDesignsThatNoSearchLookedAt) {
+  const Folder folder;
+  const auto file = finished(folder, "s");
+  const Study study(file, plugins());
+  const std::vector<StudyEvaluation> sound = study.evaluations(1);
+  const auto with = [&](std::vector<double> x) {
+    Database(file, false)
+        .prepare("UPDATE evaluations SET x = ? WHERE start = 1 AND number = 3")
+        .bind(1, std::span<const double>(x))
+        .step();
+    return refusal([&] { (void)study.evaluations(1); });
+  };
+  const auto at = std::find_if(
+      sound.begin(), sound.end(),
+      [](const StudyEvaluation& e) { return e.key.start == 1 && e.key.number == 3; });
+  ASSERT_NE(at, sound.end());
+  for (const double wrong : {-1e238, 1.5, -0.1, double{NAN}, double{INFINITY}}) {
+    std::vector<double> x = at->x;
+    x[1] = wrong;
+    EXPECT_NE(with(x).find("evaluation 3 of start 1 of round 1 isn't a design"),
+              std::string::npos)
+        << wrong;
+  }
+  std::vector<double> shorter = at->x;
+  shorter.pop_back();
+  EXPECT_FALSE(with(shorter).empty());
+  Database(file, false)
+      .prepare("UPDATE evaluations SET x = ? WHERE start = 1 AND number = 3")
+      .bind(1, std::span<const double>(at->x))
+      .step();
+  EXPECT_EQ(study.evaluations(1).size(), sound.size());
+  Database(file, false).run("UPDATE evaluations SET slacks = x'' WHERE number = 3");
+  EXPECT_FALSE(refusal([&] { (void)study.evaluations(1); }).empty());
+}
+
+TEST(Study, RefusesFactsThatAreNoNumbers) {
+  const Folder folder;
+  for (const char* name : {"seed", "starts", "evaluations", "samples"})
+    for (const char* value : {"", "x", "3x", "-1", "99999999999999999999999"}) {
+      const auto file = folder.path / (std::string(name) + '=' + value);
+      const Study study = begun(file);
+      Database(file, false)
+          .prepare("UPDATE facts SET value = ? WHERE name = ?")
+          .bind(1, std::string(value))
+          .bind(2, std::string(name))
+          .step();
+      EXPECT_NE(refusal([&] { (void)study.summary(); })
+                    .find("the study is damaged: its " + std::string(name) + " is '" +
+                          value + "'"),
+                std::string::npos);
+    }
+}
+
+// Wherever within its last pages a file is cut.
+TEST(Study, RefusesFilesThatAreCutShort) {
+  const Folder folder;
+  const auto file = finished(folder, "s");
+  const auto size = std::filesystem::file_size(file);
+  for (const std::uintmax_t cut : {1, 100, 700, 2048, 4000, 4095, 4096, 5000, 8192}) {
+    const auto part = folder.path / "part";
+    std::filesystem::copy_file(file, part,
+                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(part, size - cut);
+    EXPECT_FALSE(refusal([&] { (void)Study(part, plugins()).dump(); }).empty()) << cut;
+  }
+}
+
+// Two processes at the same moment: one begins the study, the other is told.
+TEST(Study, IsBegunByOneOfTwo) {
+  const Folder folder;
+  const Scene scene = load("10-better-speakers");
+  for (int round = 0; round < 20; ++round) {
+    const std::filesystem::path file = folder.path / ("s" + std::to_string(round));
+    int gate[2];
+    ASSERT_EQ(pipe(gate), 0);
+    pid_t children[2];
+    for (pid_t& child : children) {
+      child = fork();
+      if (child != 0) continue;
+      close(gate[1]);
+      char byte = 0;
+      (void)!read(gate[0], &byte, 1);  // until the parent closes it
+      try {
+        (void)Study::create(file, scene, DELOS_SCENES, kPlan, plugins());
+        _exit(0);
+      } catch (const std::runtime_error& failure) {
+        const std::string text = failure.what();
+        _exit(text.find("exists already") != text.npos ? 1 : 2);
+      }
+    }
+    close(gate[0]);
+    close(gate[1]);
+    int codes = 0;
+    for (const pid_t child : children) {
+      int status = 0;
+      waitpid(child, &status, 0);
+      ASSERT_TRUE(WIFEXITED(status));
+      EXPECT_LT(WEXITSTATUS(status), 2);
+      codes += WEXITSTATUS(status);
+    }
+    EXPECT_EQ(codes, 1) << "one begins, one is told";
+    EXPECT_EQ(Study(file, plugins()).summary().rounds.size(), 1u);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path))
+    EXPECT_EQ(entry.path().filename().string().find(".new"), std::string::npos);
+}
+
+// A file and a folder that nobody may write: looked at as ever, acts refused.
+TEST(Study, CanBeLookedAtWhereNothingCanBeWritten) {
+  const Folder folder;
+  const auto file = finished(folder, "of 100 %?#");
+  const std::string dump = Study(file, plugins()).dump();
+  using std::filesystem::perms;
+  const perms looks = perms::owner_read | perms::group_read | perms::others_read;
+  const perms enters = perms::owner_exec | perms::group_exec | perms::others_exec;
+  std::filesystem::permissions(file, looks);
+  std::filesystem::permissions(folder.path, looks | enters);
+  const pid_t child = fork();
+  if (child == 0) {
+    // Permissions don't hold back the superuser.
+    if (geteuid() == 0 && setresuid(65534, 65534, 65534) != 0) _exit(9);
+    try {
+      Study study(file, plugins());
+      if (study.dump() != dump || study.evaluations(1).empty()) _exit(1);
+      try {
+        study.act("lock", "devices.s1.at.x");
+        _exit(2);
+      } catch (const std::runtime_error& failure) {
+        const std::string text = failure.what();
+        _exit(text.find("can't be written") != text.npos ? 0 : 3);
+      }
+    } catch (const std::exception& failure) {
+      std::fprintf(stderr, "%s\n", failure.what());
+      _exit(4);
+    }
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::filesystem::permissions(folder.path, perms::owner_all);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(Study, NoticesThatItsFileIsGone) {
+  const Folder folder;
+  for (const bool replaced : {false, true}) {
+    const auto file = folder.path / "s";
+    Study study = begun(file);
+    std::size_t reached = 0;
+    OptimizeOptions options = one_thread();
+    options.progress = [&](const SearchProgress& at) {
+      reached = at.evaluations;
+      if (at.evaluations < 10 || !std::filesystem::exists(file)) return;
+      std::filesystem::remove(file);
+      if (replaced) std::ofstream(file) << "something else";
+    };
+    const std::string text = refusal([&] { (void)study.run(options); });
+    EXPECT_NE(text.find("was deleted or replaced while it was searched"), text.npos);
+    EXPECT_LT(reached, 15u);
+    std::filesystem::remove(file);
+  }
 }
 
 }  // namespace

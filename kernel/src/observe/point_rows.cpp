@@ -70,21 +70,43 @@ void look(const System& system, const PlacedDevice& placed,
   }
 }
 
-}  // namespace
-
-bool observe_rows(const System& system, const PlacedDevice& placed,
-                  const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
-                  const Sight* sight, PointRows& out) {
+/// What a device answers of one marker at up to kLanes poses.
+/// @returns false where it has no entry for many points, or sees beacons
+bool ask_lanes(const PlacedDevice& placed, const Eigen::Vector3d& marker,
+               std::span<const TargetPose> poses, Vectors& arm, PointLanes& points,
+               RowLanes& rows) {
   if (placed.carried() || placed.device->span() != Span::point) return false;
-  PointLanes points;
-  RowLanes rows;
-  Vectors arm = {};
   if (!marker.isZero(0)) fill_arms(poses, marker, arm);
   fill_points(placed.X_WS(), poses, arm, points);
   if (!ask(placed,
            [&](const Device& device) { return device.observe_lanes(points, rows); }))
     return false;
   check_rows(placed, rows);
+  return true;
+}
+
+}  // namespace
+
+bool points_in_view(const PlacedDevice& placed, const Eigen::Vector3d& marker,
+                    std::span<const TargetPose> poses, std::uint64_t& in_view) {
+  PointLanes points;
+  RowLanes rows;
+  Vectors arm = {};
+  if (!ask_lanes(placed, marker, poses, arm, points, rows)) return false;
+  in_view = bits(rows.seen, points.count);
+  for (int r = 0; r < rows.rows; ++r)
+    for (std::uint64_t left = in_view; left != 0; left &= left - 1)
+      check_perfect(placed, rows.variance[r][std::countr_zero(left)]);
+  return true;
+}
+
+bool observe_rows(const System& system, const PlacedDevice& placed,
+                  const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
+                  const Sight* sight, PointRows& out) {
+  PointLanes points;
+  RowLanes rows;
+  Vectors arm = {};
+  if (!ask_lanes(placed, marker, poses, arm, points, rows)) return false;
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);
   out.hidden = out.perfect = out.rays = 0;

@@ -29,6 +29,12 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
                   const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out);
 
+/// Which of up to kLanes poses have one marker in a device's view, a bit each, whatever
+/// hides it.
+/// @returns false as observe_rows()
+bool points_in_view(const PlacedDevice& placed, const Eigen::Vector3d& marker,
+                    std::span<const TargetPose> poses, std::uint64_t& in_view);
+
 /// S += Σ hᵀ h / r at the lanes of a mask.
 /// @param layer packed as model/lanes.h says
 void add_information(const PointRows& rows, int columns, std::uint64_t lanes,

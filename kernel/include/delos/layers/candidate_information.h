@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -59,9 +60,15 @@ struct CandidateViews {
   std::vector<std::int32_t> always;  ///< poses: how many devices see it anyway
 };
 
+/// Ask every candidate about every pose; about whole boxes of them, where a device or
+/// the bodies that hide can tell.
+/// @param go_on asked now and then, from the calling thread, with the part of the
+///        candidates that was asked, 0 to 1; false: stop
+/// @returns nothing, without even a `first`, where go_on said no
 /// @pre `system` was built of all.scene; fewer than 2³¹ poses
-[[nodiscard]] DELOS_API CandidateViews
-candidate_views(const System& system, const CandidateScene& all,
-                std::span<const TargetPose> poses, int threads = 0);
+/// @throws DeviceFault
+[[nodiscard]] DELOS_API CandidateViews candidate_views(
+    const System& system, const CandidateScene& all, std::span<const TargetPose> poses,
+    int threads = 0, const std::function<bool(double)>& go_on = {});
 
 }  // namespace delos

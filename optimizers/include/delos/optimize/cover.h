@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace delos {
@@ -73,6 +75,13 @@ struct CoverAnswer {
   [[nodiscard]] bool proven() const { return stop == CoverStop::proven; }
 };
 
+/// Thrown where samples can't be covered.
+struct Uncoverable : std::invalid_argument {
+  Uncoverable(const std::string& text, std::vector<int> which)
+      : std::invalid_argument(text), samples(std::move(which)) {}
+  std::vector<int> samples;
+};
+
 /// Samples that even all candidates together, of each group one, see too few times.
 /// @throws std::invalid_argument as solve_cover(), but not for such samples
 [[nodiscard]] std::vector<int> uncoverable(const CoverProblem& problem);
@@ -85,10 +94,12 @@ struct CoverAnswer {
 ///
 /// Reductions, greedy and a local search that weighs samples which stay unseen; bounds
 /// by Lagrangian relaxation, rounded up where all costs are whole; small remainders are
-/// enumerated. The same answer for any number of threads, unless the clock ends it.
-/// Sources: docs/selection.md.
+/// enumerated. However short the time, the greedy cover and a bound are found. The same
+/// answer for any number of threads, unless the clock ends it. Sources:
+/// docs/selection.md.
 /// @throws std::invalid_argument nothing to see; lists that don't fit together; a cost
-///         that isn't positive; two of a group fixed in; samples that can't be covered
+///         that isn't positive; two of a group fixed in
+/// @throws Uncoverable samples that can't be covered
 [[nodiscard]] CoverAnswer solve_cover(const CoverProblem& problem,
                                       const CoverOptions& options);
 

@@ -31,7 +31,9 @@ struct EvaluationRecord {
 class EvaluationLedger {
  public:
   virtual ~EvaluationLedger() = default;
+  /// @param record with lists as long as those of this evaluation are
   /// @returns true, and the record, where this evaluation was made at this point before
+  /// @throws std::runtime_error what is remembered can't be of this search
   virtual bool recall(const EvaluationKey& key, std::span<const double> x,
                       EvaluationRecord& record) = 0;
   /// Called before the search uses the record.

@@ -20,6 +20,7 @@ struct SelectProgress {
   double value = 0;  ///< of the best choice so far; +∞: none yet
   double lower_bound = 0;
   std::size_t nodes = 0;
+  double ready = 1;  ///< of what must be known before the search: the part that is
 };
 
 /// How to select.

@@ -65,7 +65,9 @@ class Study {
   static Study create(const std::filesystem::path& file, const Scene& scene,
                       const std::filesystem::path& folder, const StudyPlan& plan,
                       PluginRegistry& plugins);
+  /// One that can't be written, or whose folder can't, can still be looked at.
   /// @throws std::runtime_error there is none, or it isn't one
+  /// @throws std::runtime_error its file is damaged or cut short
   Study(const std::filesystem::path& file, PluginRegistry& plugins);
   Study(Study&&) noexcept;
   ~Study();
@@ -83,6 +85,7 @@ class Study {
   [[nodiscard]] Scene searched_scene(int round = -1) const;
 
   /// All evaluations of a round, start after start, in the order of each.
+  /// @throws std::runtime_error one is no design of the round: the file is damaged
   [[nodiscard]] std::vector<StudyEvaluation> evaluations(int round) const;
 
   /// Journal an act, for a search that runs or for the next one.
@@ -115,6 +118,8 @@ class Study {
   /// evaluations.
   /// @param options its cancel, progress and threads are used
   /// @throws std::runtime_error another process is searching; or the disk is full, …
+  /// @throws std::runtime_error somebody deleted the file meanwhile
+  /// @throws std::runtime_error what is remembered isn't of this search
   /// @throws std::invalid_argument as optimize()
   OptimizeResult run(const OptimizeOptions& options);
 
