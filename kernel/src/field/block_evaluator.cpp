@@ -35,9 +35,12 @@ void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses
   const bool in_lanes = reduction && need_ <= MetricNeed::pose_block;
   if (in_lanes) {
     reduction->pose_covariances(block, P_.data(), lost_);
-    if (need_ == MetricNeed::pose_block) {
-      metric_values(metric_, system_.motion.layout, P_.data(), value_);
+    Eigen::Vector3d p[kLanes] = {};
+    for (int lane = 0; lane < block.lanes; ++lane) {
+      seen_[lane] = coverage(block, lane);
+      p[lane] = poses[lane].p;
     }
+    lane_metrics(metric_, system_.motion.layout, P_.data(), seen_, p, value_);
   }
   for (int lane = 0; lane < block.lanes; ++lane) {
     // The rest of a pose that has lost directions needs more care.
@@ -45,7 +48,6 @@ void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses
                       (lost_[lane] == 0 || need_ == MetricNeed::nothing);
     values[lane] = done ? PoseValue{value_[lane], lost_[lane] == 0, lost_[lane]}
                         : solved_value(block, lane, poses[lane]);
-    if (need_ == MetricNeed::nothing) values[lane].value = coverage(block, lane);
   }
 }
 
@@ -53,9 +55,9 @@ PoseValue BlockEvaluator::solved_value(const LayerBlock& block, int lane,
                                        const TargetPose& pose) {
   solver_.read(block, lane, pose, equation_);
   solver_.solve(equation_, request_, state_);
-  double value = kInfinity;
-  if (need_ != MetricNeed::nothing)
-    value = state_metric(metric_, system_.motion.layout, state_, system_.covariance);
+  const double value =
+      state_metric(metric_, system_.motion.layout, state_, system_.covariance,
+                   {coverage(block, lane), pose.p});
   // A lost direction of the pose is lost with its derivatives.
   const int order = system_.motion.layout.order;
   const auto lost = static_cast<int>(state_.unobservable.cols());

@@ -36,7 +36,7 @@ class BlockEvaluator {
   SteadyRequest request_;
   SteadyEquation equation_;
   std::vector<double> P_;
-  double value_[kLanes] = {};
+  double value_[kLanes] = {}, seen_[kLanes] = {};
   int lost_[kLanes] = {};
   FusedState state_;
 };

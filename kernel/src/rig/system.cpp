@@ -89,6 +89,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
   system.motion = single ? no_motion(covariance_layout(scene)) : scene.motion;
   system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
+  system.own_metrics = known_metrics(scene).own;
   system.markers = scene.markers;
   system.skin = scene.skin;
   system.occluders = scene.occluders;

@@ -199,6 +199,15 @@ struct DeviceEntry {
   friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
 };
 
+/// A metric by a formula.
+struct MetricEntry {
+  std::string name;
+  std::string expression;
+  bool larger_is_better = false;
+  std::string unit;  ///< where the formula leaves it open; else empty
+  friend bool operator==(const MetricEntry&, const MetricEntry&) = default;
+};
+
 /// A whole scene.
 struct Scene {
   std::string name;
@@ -207,6 +216,7 @@ struct Scene {
   std::vector<SampleSet> samples;
   Orientations orientations;
   CovarianceKind covariance = CovarianceKind::prior;
+  std::vector<MetricEntry> metrics;  ///< its own; each may read those before it
   std::string metric = "eigmax";
   /// Points on the target that point devices observe, metres, in the target's frame.
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
