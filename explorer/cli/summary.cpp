@@ -58,8 +58,12 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
   out << loaded.scene.name << "\n"
       << field.metric << " of the " << to_string(field.definition) << ", "
-      << counted(loaded.system.devices.size(), "device") << "\n"
-      << counts_text(s) << "\n";
+      << counted(loaded.system.devices.size(), "device") << "\n";
+  for (const ClutterEntry& clutter : loaded.scene.clutter)
+    out << clutter.name << ": "
+        << counted(static_cast<std::size_t>(clutter.count), "occluder")
+        << " drawn at random, seed " << clutter.seed << "\n";
+  out << counts_text(s) << "\n";
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";

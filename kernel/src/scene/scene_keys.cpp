@@ -7,6 +7,7 @@
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
+#include "scene/clutter_keys.h"
 #include "scene/device_keys.h"
 #include "scene/metric_keys.h"
 #include "scene/motion_keys.h"
@@ -64,7 +65,7 @@ void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 21> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 22> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -181,6 +182,14 @@ constexpr std::array<Key<SceneDraft>, 21> kSceneKeys = {{
      [](const SceneDraft& d) -> Written {
        if (d.scene.occluders.empty()) return std::nullopt;
        return write_occluders(d.scene.occluders);
+     }},
+    {"clutter", Need::optional, "what blocks the sight, drawn at random",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_clutter(r, p, d.scene.clutter);
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.clutter.empty()) return std::nullopt;
+       return write_clutter(d.scene.clutter);
      }},
     {"skin", Need::optional,
      "how near to the ends of a sight line nothing hides, metres", read_skin,

@@ -81,6 +81,19 @@ struct OccluderEntry {
   friend bool operator==(const OccluderEntry&, const OccluderEntry&) = default;
 };
 
+enum class ClutterShape { box, sphere };
+
+/// Bodies drawn at random in the world; see drawn_bodies().
+struct ClutterEntry {
+  std::string name;
+  int count = 0;  ///< ≥ 0
+  int seed = 0;   ///< ≥ 0
+  ClutterShape shape = ClutterShape::box;
+  double least = 0, greatest = 0;  ///< edges or diameters, metres, > 0
+  BoxShape box;                    ///< of the centres
+  friend bool operator==(const ClutterEntry&, const ClutterEntry&) = default;
+};
+
 /// A named body in the world: where a search may put things, or may not.
 struct RegionEntry {
   std::string name;
@@ -226,6 +239,7 @@ struct Scene {
   std::vector<BeaconSet> beacons;
   std::vector<DeviceEntry> devices;
   std::vector<OccluderEntry> occluders;
+  std::vector<ClutterEntry> clutter;
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
   /// marker on a body.
   double skin = 1e-3;
