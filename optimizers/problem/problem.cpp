@@ -283,7 +283,7 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
     if (const std::string problem = metric_problem(s.nominal.system, metric);
         !problem.empty())
       throw std::invalid_argument(problem);
-    if (reads_coverage(metric) &&
+    if (reads(metric, MetricKind::coverage) &&
         scene.orientations.combine == OrientationRule::information)
       s.slope_problem =
           "coverage in any of several orientations has no derivative here";

@@ -16,7 +16,7 @@
 
 namespace delos {
 std::string metric_problem(const System& system, const Metric& metric) {
-  if (!reads_closed_loop(metric)) return "";
+  if (!reads(metric, MetricKind::latency)) return "";
   if (system.covariance == CovarianceKind::single)
     return "metric latency: a single reading has no closed loop; use covariance: prior";
   if (system.fusion != Fusion::artemis) return "";

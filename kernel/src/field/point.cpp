@@ -6,6 +6,7 @@
 #include "delos/field/evaluate.h"
 #include "delos/model/infinity.h"
 #include "delos/steady/steady_solver.h"
+#include "field/pose_facts.h"
 #include "layers/block.h"
 #include "rig/sight.h"
 #include "steady/chain_reduction.h"
@@ -13,12 +14,6 @@
 
 namespace delos {
 namespace {
-
-double coverage(const LayerBlock& block) {
-  double seen = 0;
-  for (const std::uint64_t word : block.seen) seen += static_cast<double>(word & 1);
-  return seen;
-}
 
 /// Whitened rows with the weight that fusion gives each device, and the prior's.
 Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened) {
@@ -39,8 +34,9 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
 double value_of(const Metric& metric, const System& system, const FusedState& state,
                 const LayerBlock& block, const TargetPose& pose) {
   if (!metric_problem(system, metric).empty()) return kInfinity;
-  const double value = state_metric(metric, system.motion.layout, state,
-                                    system.covariance, {coverage(block), pose.p});
+  const double value =
+      state_metric(metric, system.motion.layout, state, system.covariance,
+                   facts_of(system, block, 0, pose, true));
   return std::isfinite(value) ? value : kInfinity;
 }
 

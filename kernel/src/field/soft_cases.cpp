@@ -110,7 +110,7 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
       }
       if (by_information()) continue;
       double* of_turn = &scratch.of_turns[c * of_case + t * metrics.size()];
-      metric.values(out, {out[seen_at()], samples.points[point]}, scratch.steady,
+      metric.values(out, {out[seen_at()], 0, samples.points[point]}, scratch.steady,
                     of_turn);
     }
   }
@@ -119,7 +119,8 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
     if (by_information()) {
       double S[kMostPacked];
       mean_information(point, c, S);
-      metric.values(S, {S[seen_at()], samples.points[point]}, scratch.steady, of_turns);
+      metric.values(S, {S[seen_at()], 0, samples.points[point]}, scratch.steady,
+                    of_turns);
     }
     combine(point, c, of_turns);
   }
@@ -148,7 +149,8 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
       weights[m] = slopes[m][point] * share;
     double S[kMostPacked];
     mean_information(point, of_case, S);
-    metric.slope(S, {S[seen_at()], samples.points[point]}, weights.data(), steady, G);
+    metric.slope(S, {S[seen_at()], 0, samples.points[point]}, weights.data(), steady,
+                 G);
     for (std::size_t t = 0; t < turns.size(); ++t) {
       double* out = &adjoint[offset(point, t, of_case)];
       pack(G, out);
@@ -168,7 +170,7 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
       continue;
     }
     const double* S = &information[offset(point, t, of_case)];
-    out[seen_at()] = metric.slope(S, {S[seen_at()], samples.points[point]},
+    out[seen_at()] = metric.slope(S, {S[seen_at()], 0, samples.points[point]},
                                   weights.data(), steady, G);
     pack(G, out);
   }

@@ -61,19 +61,10 @@ Trend trend_of(const MetricInput& input) {
       break;
   }
   const Metric& metric = input.metric;
-  if (metric.kind == MetricKind::latency) return {Sign::positive, Way::any};
+  if (metric.kind == MetricKind::latency || metric.kind == MetricKind::footprint)
+    return {Sign::positive, Way::any};
   if (metric.expression) return evaluate_metric<Trend>(*metric.expression, trend_of);
   return {Sign::positive, metric.larger_is_better ? Way::falls : Way::rises};
-}
-
-/// Whether some metric that a metric reads, or itself, is so.
-template <class Is>
-bool reads_any(const Metric& metric, const Is& is) {
-  if (!metric.expression) return is(metric);
-  const auto& inputs = metric.expression->inputs;
-  return std::any_of(inputs.begin(), inputs.end(), [&](const MetricInput& input) {
-    return input.kind == MetricInput::Kind::metric && reads_any(input.metric, is);
-  });
 }
 
 }  // namespace
@@ -118,14 +109,26 @@ std::variant<Metric, ExpressionProblem> make_metric(std::string_view name,
   return metric;
 }
 
-bool reads_coverage(const Metric& metric) {
-  return reads_any(metric,
-                   [](const Metric& m) { return m.kind == MetricKind::coverage; });
+bool reads(const Metric& metric, MetricKind kind) {
+  if (!metric.expression) return metric.kind == kind;
+  const auto& inputs = metric.expression->inputs;
+  return std::any_of(inputs.begin(), inputs.end(), [kind](const MetricInput& input) {
+    return input.kind == MetricInput::Kind::metric && reads(input.metric, kind);
+  });
 }
 
-bool reads_closed_loop(const Metric& metric) {
-  return reads_any(metric,
-                   [](const Metric& m) { return m.kind == MetricKind::latency; });
+bool same_metric(const Metric& a, const Metric& b) {
+  if (a.kind != b.kind || a.name != b.name || a.unit != b.unit ||
+      a.larger_is_better != b.larger_is_better)
+    return false;
+  if (!a.expression) return true;
+  const auto same_input = [](const MetricInput& p, const MetricInput& q) {
+    if (p.kind != q.kind || p.row != q.row || p.column != q.column) return false;
+    return p.kind != MetricInput::Kind::metric || same_metric(p.metric, q.metric);
+  };
+  const auto &of_a = a.expression->inputs, &of_b = b.expression->inputs;
+  return a.expression->formula.text == b.expression->formula.text &&
+         std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), same_input);
 }
 
 }  // namespace delos

@@ -120,6 +120,8 @@ constexpr MetricRow kTable[] = {
      in_lanes<determinant_of>},
     {"coverage", MetricKind::coverage, MetricReads::devices, 0, true, false, false,
      nullptr, nullptr, nullptr},
+    {"footprint", MetricKind::footprint, MetricReads::devices, 1, false, false, false,
+     nullptr, nullptr, nullptr},
     {"latency", MetricKind::latency, MetricReads::closed_loop, 0, false, false, false,
      nullptr, nullptr, nullptr},
 };

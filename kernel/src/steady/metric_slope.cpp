@@ -11,7 +11,8 @@
 namespace delos {
 
 std::string slope_problem(const System& system, const Metric& metric) {
-  if (reads_closed_loop(metric)) return metric.name + " has no derivative here";
+  if (reads(metric, MetricKind::latency) || reads(metric, MetricKind::footprint))
+    return metric.name + " has no derivative here";
   return adjoint_problem(system);
 }
 
@@ -42,7 +43,9 @@ double MetricSlope::value(const Metric& metric, const StateMatrix* P,
                           const PoseFacts& facts) const {
   if (metric.kind == MetricKind::coverage) return facts.seen;
   if (!metric.expression)
-    return P ? smooth_metric(metric, layout_, *P, 0, nullptr) : kInfinity;
+    return P && row_of(metric.kind).parts
+               ? smooth_metric(metric, layout_, *P, 0, nullptr)
+               : kInfinity;
   bool known = true;
   const double all =
       evaluate_metric<double>(*metric.expression, [&](const MetricInput& input) {

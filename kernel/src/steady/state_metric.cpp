@@ -26,6 +26,7 @@ double state_metric(const Metric& metric, const StateLayout& layout,
                     const FusedState& state, CovarianceKind kind,
                     const PoseFacts& facts) {
   if (metric.kind == MetricKind::coverage) return facts.seen;
+  if (metric.kind == MetricKind::footprint) return facts.footprint;
   if (metric.expression) {
     // What isn't known of a part isn't known of the whole: 1/∞ isn't 0.
     bool known = true;
@@ -56,9 +57,11 @@ double state_metric(const Metric& metric, const StateLayout& layout,
 }
 
 void lane_metrics(const Metric& metric, const StateLayout& layout, const double* P,
-                  const double* seen, const Eigen::Vector3d* p, double* values) {
-  if (metric.kind == MetricKind::coverage) {
-    std::copy_n(seen, kLanes, values);
+                  const PoseFacts* facts, double* values) {
+  if (metric.kind == MetricKind::coverage || metric.kind == MetricKind::footprint) {
+    const auto fact =
+        metric.kind == MetricKind::coverage ? &PoseFacts::seen : &PoseFacts::footprint;
+    for (int l = 0; l < kLanes; ++l) values[l] = facts[l].*fact;
     return;
   }
   if (!metric.expression) return metric_values(metric, layout, P, values);
@@ -69,7 +72,7 @@ void lane_metrics(const Metric& metric, const StateLayout& layout, const double*
     const MetricInput& input = inputs[i];
     switch (input.kind) {
       case MetricInput::Kind::metric:
-        lane_metrics(input.metric, layout, P, seen, p, parts[i]);
+        lane_metrics(input.metric, layout, P, facts, parts[i]);
         break;
       case MetricInput::Kind::entry:
         std::copy_n(P + packed_index(std::max(input.row, input.column),
@@ -78,7 +81,7 @@ void lane_metrics(const Metric& metric, const StateLayout& layout, const double*
                     kLanes, parts[i]);
         break;
       case MetricInput::Kind::position:
-        for (int l = 0; l < kLanes; ++l) parts[i][l] = p[l](input.row);
+        for (int l = 0; l < kLanes; ++l) parts[i][l] = facts[l].p(input.row);
         break;
     }
   }

@@ -10,7 +10,8 @@ namespace delos {
 
 /// What metrics may read of a pose besides its steady state.
 struct PoseFacts {
-  double seen = 0;                              ///< how many devices see the target
+  double seen = 0;       ///< how many devices see the target
+  double footprint = 0;  ///< the least of theirs, metres; +∞: none has pixels
   Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< where it is, in W, metres
 };
 
@@ -24,11 +25,10 @@ struct PoseFacts {
 
 /// Any metric of kLanes pose covariances side by side, bit for bit as state_metric().
 /// @param P d×d each, packed as model/lanes.h says
-/// @param seen, p of each lane
+/// @param facts of each lane
 /// @param[out] values kLanes numbers
 /// @pre need_of(metric) is at most MetricNeed::pose_block
 DELOS_API void lane_metrics(const Metric& metric, const StateLayout& layout,
-                            const double* P, const double* seen,
-                            const Eigen::Vector3d* p, double* values);
+                            const double* P, const PoseFacts* facts, double* values);
 
 }  // namespace delos

@@ -26,6 +26,7 @@ enum class MetricKind {
   trace,       ///< trace of the block
   det,         ///< determinant of the block
   coverage,    ///< number of devices that see the target
+  footprint,   ///< what a pixel covers at the sample, of the device that does best
   latency,     ///< time constant of the slowest closed-loop pole of A − KH
   expression,  ///< a formula of the others: a scene's own
 };

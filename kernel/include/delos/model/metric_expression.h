@@ -49,10 +49,10 @@ template <class T, class Value>
     std::string_view name, std::string_view formula, bool larger_is_better,
     std::string_view unit, const KnownMetrics& known);
 
-/// Whether the number of devices that see the target enters a metric.
-[[nodiscard]] DELOS_API bool reads_coverage(const Metric& metric);
+/// Whether a metric is of this kind, or its formula reads one that is.
+[[nodiscard]] DELOS_API bool reads(const Metric& metric, MetricKind kind);
 
-/// Whether a metric reads the closed loop, of which no slope is known.
-[[nodiscard]] DELOS_API bool reads_closed_loop(const Metric& metric);
+/// Whether two scenes mean the same by a metric: a name may stand for two formulas.
+[[nodiscard]] DELOS_API bool same_metric(const Metric& a, const Metric& b);
 
 }  // namespace delos
