@@ -124,9 +124,10 @@ TEST(Existence, NamesTheStatesThatNoNoiseDrives) {
   const Scene scene = scene_at(testing::points({{0.1, 0.2, 0.3}}));
   const Existence found = existence(scene, system, 10);
   EXPECT_EQ(found.undriven, std::vector<std::string>{"bias"});
-  EXPECT_EQ(to_string(found),
-            "detectable at none of 1 place tried, not stabilizable: no noise drives "
-            "bias, whose variance goes to 0 ever more slowly");
+  EXPECT_EQ(
+      to_string(found),
+      "detectable at none of the places tried (1), not stabilizable: no noise drives "
+      "bias, whose variance goes to 0 ever more slowly");
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ Existence existence(const Scene& scene, const System& system, std::size_t most) 
   Existence found;
   if (system.fusion == Fusion::artemis) return found;
   std::vector<TargetPose> poses = spread_poses(scene, most);
-  std::erase_if(poses,
-                [&](const TargetPose& pose) { return inside_solid(system, pose.p); });
+  std::erase_if(
+      poses, [&](const TargetPose& pose) { return deep_inside_solid(system, pose.p); });
   const auto solver = make_steady_solver(system);
   const InformationLayers layers(system, poses);
   SteadyEquation equation = solver->equation();
@@ -59,14 +59,13 @@ Existence existence(const Scene& scene, const System& system, std::size_t most) 
 
 std::string to_string(const Existence& e) {
   if (e.places == 0) return "";
-  const std::string tried = counted(e.places, "place") + " tried";
-  std::string text = e.detectable == e.places ? "detectable at all " + tried
-                     : e.detectable == 0
-                         ? "detectable at none of " + tried
-                         : "detectable at " +
-                               percent(static_cast<double>(e.detectable) /
-                                       static_cast<double>(e.places)) +
-                               " of " + tried;
+  const double share =
+      static_cast<double>(e.detectable) / static_cast<double>(e.places);
+  const std::string text = "detectable at " +
+                           (e.detectable == e.places ? std::string("all")
+                            : e.detectable == 0      ? std::string("none of the")
+                                                     : percent(share) + " of the") +
+                           " places tried (" + std::to_string(e.places) + ")";
   if (e.stabilizable) return text + ", stabilizable";
   return text + ", not stabilizable: no noise drives " + listed(e.undriven) +
          (e.on_circle ? ", whose variance goes to 0 ever more slowly"

@@ -24,7 +24,7 @@ struct Existence {
 [[nodiscard]] DELOS_API Existence existence(const Scene& scene, const System& system,
                                             std::size_t most);
 
-/// "detectable at all 200 places tried; stabilizable": empty where nothing was tried.
+/// "detectable at all places tried (200), stabilizable": empty where nothing was tried.
 [[nodiscard]] DELOS_API std::string to_string(const Existence& existence);
 
 }  // namespace delos
