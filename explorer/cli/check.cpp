@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "command.h"
+#include "delos/field/existence.h"
 #include "delos/scene/definition.h"
 #include "delos/steady/steady_solver.h"
 #include "json.h"
@@ -22,6 +23,7 @@ struct Facts {
   std::size_t devices = 0, states = 0;
   std::size_t samples = 0;  ///< 0: adaptive, so that they aren't known yet
   std::string fusion, solver;
+  Existence existence;
 };
 
 /// What came of checking one file.
@@ -42,6 +44,9 @@ Facts facts_of(const LoadedScene& loaded, Solver chosen) {
     facts.samples += static_cast<std::size_t>(sample_count(set));
   facts.fusion = to_string(loaded.system.fusion);
   facts.solver = to_string(solver->solver());
+  // Enough to tell a part from a whole, few enough for the slowest solver.
+  constexpr std::size_t kPlaces = 200;
+  facts.existence = existence(loaded.scene, loaded.system, kPlaces);
   return facts;
 }
 
@@ -70,7 +75,10 @@ void print(const Checked& checked) {
             << (facts.samples > 0 ? counted(facts.samples, "sample")
                                   : "adaptive samples")
             << ", " << counted(facts.states, "state") << ", " << facts.fusion
-            << " fusion, solver " << facts.solver << "\n";
+            << " fusion, solver " << facts.solver;
+  if (const std::string exists = to_string(facts.existence); !exists.empty())
+    std::cout << "; " << exists;
+  std::cout << "\n";
 }
 
 Json to_json(const Checked& checked) {
@@ -82,6 +90,12 @@ Json to_json(const Checked& checked) {
     json["states"] = facts.states;
     json["fusion"] = facts.fusion;
     json["solver"] = facts.solver;
+    const Existence& exists = facts.existence;
+    if (exists.places > 0)
+      json["existence"] = {{"places", exists.places},
+                           {"detectable", exists.detectable},
+                           {"stabilizable", exists.stabilizable},
+                           {"undriven", exists.undriven}};
   }
   json["diagnostics"] = diagnostics_json(checked.diagnostics);
   return json;

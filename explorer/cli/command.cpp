@@ -69,7 +69,7 @@ std::optional<LoadedScene> load(const std::filesystem::path& file,
   reading.reset();
   if (!scene) return std::nullopt;
 
-  const auto metric = parse_metric(scene->metric, covariance_layout(*scene));
+  const auto metric = parse_metric(scene->metric, known_metrics(*scene));
   LoadedScene loaded{*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
   if (loaded.scene.name.empty()) loaded.scene.name = file.stem().string();
   return loaded;

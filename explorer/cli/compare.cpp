@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "command.h"
+#include "delos/model/metric_expression.h"
 #include "delos/observe/beacon_use.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
@@ -224,11 +225,14 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
   if (!asked) evaluate_alike(scenes);
   const Metric& metric = scenes.front().metric;
   for (std::size_t i = 1; i < scenes.size(); ++i) {
-    if (scenes[i].metric.name != metric.name || scenes[i].metric.unit != metric.unit) {
-      throw Failure{kUsage, command.scenes[i] + " shows " + scenes[i].metric.name +
-                                " and " + command.scenes.front() + " shows " +
-                                metric.name + "; choose one for all with --metric"};
-    }
+    if (same_metric(scenes[i].metric, metric)) continue;
+    if (scenes[i].metric.name == metric.name && scenes[i].metric.unit == metric.unit)
+      throw Failure{kUsage, command.scenes[i] + " and " + command.scenes.front() +
+                                " mean different things by " + metric.name +
+                                "; give them one, or choose another --metric"};
+    throw Failure{kUsage, command.scenes[i] + " shows " + scenes[i].metric.name +
+                              " and " + command.scenes.front() + " shows " +
+                              metric.name + "; choose one for all with --metric"};
   }
   return scenes;
 }

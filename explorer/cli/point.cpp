@@ -154,6 +154,8 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";
   for (const MetricValue& m : report.metrics) {
+    // Most devices have no pixels.
+    if (m.metric.kind == MetricKind::footprint && !std::isfinite(m.value)) continue;
     out << "  " << cell(m.metric.name, 18)
         << (std::isfinite(m.value) ? format_quantity(m.value, m.metric.unit)
                                    : std::string("not observed"))

@@ -42,7 +42,7 @@ bool is_study(const std::filesystem::path& file) {
 }
 
 LoadedScene loaded_from(Scene scene, PluginRegistry& plugins) {
-  const auto metric = parse_metric(scene.metric, covariance_layout(scene));
+  const auto metric = parse_metric(scene.metric, known_metrics(scene));
   System system = build_system(scene, plugins);
   return {std::move(scene), std::move(system), std::get<Metric>(metric)};
 }

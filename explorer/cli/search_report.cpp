@@ -52,8 +52,7 @@ std::string constraint_unit(const ConstraintEntry& entry, const Scene& scene) {
   if (std::holds_alternative<KeepTilt>(entry.what)) return "rad";
   if (std::holds_alternative<KeepSum>(entry.what)) return "1";
   if (const auto* metric = std::get_if<KeepMetric>(&entry.what))
-    return std::get<Metric>(parse_metric(metric->metric, covariance_layout(scene)))
-        .unit;
+    return std::get<Metric>(parse_metric(metric->metric, known_metrics(scene))).unit;
   return "m";
 }
 
@@ -81,7 +80,7 @@ std::string objective_text(const Scene& scene) {
            robust_text(scene);
   const ObjectiveTerm term = terms.empty() ? ObjectiveTerm{} : terms.front();
   const auto metric = std::get<Metric>(parse_metric(
-      term.metric.empty() ? scene.metric : term.metric, covariance_layout(scene)));
+      term.metric.empty() ? scene.metric : term.metric, known_metrics(scene)));
   return std::string(word(term.reduction, metric.larger_is_better)) + " " +
          metric.name + robust_text(scene);
 }
@@ -95,7 +94,7 @@ std::string objective_unit(const Scene& scene) {
   const std::string name = terms.empty() || terms.front().metric.empty()
                                ? scene.metric
                                : terms.front().metric;
-  return std::get<Metric>(parse_metric(name, covariance_layout(scene))).unit;
+  return std::get<Metric>(parse_metric(name, known_metrics(scene))).unit;
 }
 
 Json search_json(const OptimizeResult& result, PluginRegistry& plugins) {

@@ -21,7 +21,7 @@ std::vector<Spec> specs_of(const std::vector<std::string>& texts,
                            const LoadedScene& loaded) {
   std::vector<Spec> specs;
   for (const std::string& text : texts) {
-    auto spec = parse_spec(text, covariance_layout(loaded.scene));
+    auto spec = parse_spec(text, known_metrics(loaded.scene));
     if (const auto* problem = std::get_if<std::string>(&spec))
       throw Failure{kUsage, "--spec '" + text + "': " + *problem};
     specs.push_back(std::get<Spec>(std::move(spec)));

@@ -58,8 +58,12 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
   out << loaded.scene.name << "\n"
       << field.metric << " of the " << to_string(field.definition) << ", "
-      << counted(loaded.system.devices.size(), "device") << "\n"
-      << counts_text(s) << "\n";
+      << counted(loaded.system.devices.size(), "device") << "\n";
+  for (const ClutterEntry& clutter : loaded.scene.clutter)
+    out << clutter.name << ": "
+        << counted(static_cast<std::size_t>(clutter.count), "occluder")
+        << " drawn at random, seed " << clutter.seed << "\n";
+  out << counts_text(s) << "\n";
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";
@@ -88,7 +92,8 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
         << format_quantity(100 * *field.discretization_error, "1", 2)
         << " % over 95 % of the volume\n";
   }
-  if (field.unit == "m" || field.unit == "rad") {
+  const bool scatter = loaded.metric.kind != MetricKind::footprint;
+  if (scatter && (field.unit == "m" || field.unit == "rad")) {
     out << "This is scatter: a bias that the scene doesn't model comes on top.\n";
   }
   out << counted(field.evaluations, "evaluation") << " in " << std::setprecision(3)

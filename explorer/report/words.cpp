@@ -48,8 +48,7 @@ struct Words {
     return text + " is at most " + format_quantity(k.limit, "1");
   }
   std::string operator()(const KeepMetric& k) const {
-    const auto metric =
-        std::get<Metric>(parse_metric(k.metric, covariance_layout(scene)));
+    const auto metric = std::get<Metric>(parse_metric(k.metric, known_metrics(scene)));
     return metric.name + " is at " + (metric.larger_is_better ? "least " : "most ") +
            format_quantity(k.limit, metric.unit) + " at every sample" +
            (k.in.empty() ? "" : " of " + k.in);

@@ -7,6 +7,7 @@
 #include "delos/device/faults.h"
 #include "delos/field/adaptive.h"
 #include "delos/model/infinity.h"
+#include "delos/model/metric_expression.h"
 #include "delos/scene/definition.h"
 #include "problem/guess.h"
 #include "problem/problem_state.h"
@@ -24,6 +25,20 @@ class SeesNothing final : public Device {
 /// What a sample costs, in units of the guess, where no guess can help.
 constexpr double kBlindCost = 1e3;
 
+/// How much of what is known at a pose is the guess, squared:
+///
+///     w² with w = σ²/(σ² + guess²),   σ = eigmax
+///
+/// about 1 where nobody sees, 1e-8 where devices know a hundred times as much.
+struct BlindShare {
+  BlindShare(double sigma, double guess) {
+    const double u = sigma * sigma, g = guess * guess, w = u / (u + g);
+    value = w * w;
+    slope = 4 * w * sigma * g / ((u + g) * (u + g));
+  }
+  double value, slope;  // ∂value/∂σ
+};
+
 /// What a limit is where edges are soft: of a count, half a device short of it.
 double soft_limit(const Metric& metric, double limit) {
   return metric.kind == MetricKind::coverage ? std::ceil(limit) - 0.5 : limit;
@@ -38,7 +53,8 @@ bool Score::feasible() const {
 
 std::size_t Problem::State::metric_index(const std::string& name, bool plain) {
   const auto metric = std::get<Metric>(
-      parse_metric(name.empty() ? scene().metric : name, covariance_layout(scene())));
+      parse_metric(name.empty() ? scene().metric : name, known_metrics(scene())));
+  plain = plain || !metric.monotone;
   for (std::size_t m = 0; m < metrics.size(); ++m)
     if (metrics[m].metric.name == metric.name && metrics[m].plain == plain) return m;
   metrics.push_back({metric, plain});
@@ -56,7 +72,7 @@ void Problem::State::read_objective() {
   std::vector<unsigned char> inside;
   if (nominal.system.in_world.triangles() > 0) {
     const auto coverage =
-        std::get<Metric>(parse_metric("coverage", covariance_layout(scene())));
+        std::get<Metric>(parse_metric("coverage", known_metrics(scene())));
     inside = evaluate_field(nominal.system, samples.samples, scene().orientations,
                             coverage, {.threads = options.threads})
                  .inside;
@@ -69,6 +85,7 @@ void Problem::State::read_objective() {
     terms.push_back({term, sign * soft_limit(metric, term.limit), m, sign,
                      term_weights(term, scene(), samples, inside)});
     terms.back().term.limit = sign * term.limit;
+    if (!metric.monotone && !sight_metric) sight_metric = metric_index("eigmax");
   }
   for (std::size_t c = 0; c < scene().constraints.size(); ++c) {
     const auto* keep = std::get_if<KeepMetric>(&scene().constraints[c].what);
@@ -109,7 +126,7 @@ Field Problem::State::octree(AdaptiveSampling box) {
   const auto& terms = scene().objective.terms;
   const std::string name = terms.empty() ? "" : terms.front().metric;
   const auto metric = std::get<Metric>(
-      parse_metric(name.empty() ? scene().metric : name, covariance_layout(scene())));
+      parse_metric(name.empty() ? scene().metric : name, known_metrics(scene())));
   if (options.samples > 0) {
     const auto most =
         static_cast<std::int64_t>(options.samples * scene().orientations.rpy.size());
@@ -156,9 +173,21 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
   std::vector<double> costs, of_term;
   for (const Term& t : terms) {
     const bool fraction = t.term.reduction == Reduction::fraction;
-    const double blind = fraction ? kInfinity : t.sign < 0 ? 0 : kBlindCost * guess;
+    const Metric& metric = metrics[t.metric].metric;
+    const bool ends_at_0 = t.sign < 0 && !metric.expression;
+    const double blind = fraction ? kInfinity : ends_at_0 ? 0 : kBlindCost * guess;
     costs = values[t.metric];
     for (double& c : costs) c = std::isfinite(c) ? t.sign * c : blind;
+    // With the guess in it such a metric may look good where nobody sees.
+    const bool lures = width && !metric.monotone;
+    const auto share_at = [&](std::size_t i) {
+      return BlindShare(values[*sight_metric][i], guess);
+    };
+    if (lures)
+      for (std::size_t i = 0; i < costs.size(); ++i) {
+        const double share = share_at(i).value;
+        costs[i] += kBlindCost * guess * (std::isfinite(share) ? share : 1);
+      }
     of_term.resize(slopes ? costs.size() : 0);
     ObjectiveTerm term = t.term;
     if (width) term.limit = t.soft_limit;
@@ -167,6 +196,9 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
     for (std::size_t i = 0; i < of_term.size(); ++i) {
       if (std::isfinite(values[t.metric][i]))
         (*slopes)[t.metric][i] += term.weight * t.sign * of_term[i];
+      if (lures && std::isfinite(values[*sight_metric][i]))
+        (*slopes)[*sight_metric][i] +=
+            term.weight * of_term[i] * kBlindCost * guess * share_at(i).slope;
     }
   }
   return sum;
@@ -196,7 +228,8 @@ void Problem::State::weaken_guess() {
   if (guess_information(nominal.system, guess) == 0) return;
   for (const Term& t : terms) {
     if (t.term.reduction != Reduction::fraction ||
-        metrics[t.metric].metric.kind == MetricKind::coverage)
+        metrics[t.metric].metric.kind == MetricKind::coverage ||
+        !metrics[t.metric].metric.monotone)
       continue;
     const double far = t.sign > 0 ? kFar * t.term.limit : t.term.limit / kFar;
     constexpr int kDoublings = 60;
@@ -250,7 +283,7 @@ Problem::Problem(const Scene& scene, PluginRegistry& plugins,
     if (const std::string problem = metric_problem(s.nominal.system, metric);
         !problem.empty())
       throw std::invalid_argument(problem);
-    if (metric.kind == MetricKind::coverage &&
+    if (reads(metric, MetricKind::coverage) &&
         scene.orientations.combine == OrientationRule::information)
       s.slope_problem =
           "coverage in any of several orientations has no derivative here";
@@ -314,7 +347,7 @@ Field Problem::field(std::span<const double> x) {
   State& s = *state_;
   s.build(x);
   const auto metric =
-      std::get<Metric>(parse_metric(s.scene().metric, covariance_layout(s.scene())));
+      std::get<Metric>(parse_metric(s.scene().metric, known_metrics(s.scene())));
   System system = s.nominal.system;
   system.prior = 0;
   Field field = evaluate_field(system, all_samples(s.scene()), s.scene().orientations,

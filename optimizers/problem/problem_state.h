@@ -79,7 +79,8 @@ struct Problem::State {
   std::vector<MetricLimit> metric_limits;
   std::vector<Limit> limits;
   std::vector<Touched> touched;
-  double guess = 0;  // 0: not known yet
+  double guess = 0;                         // 0: not known yet
+  std::optional<std::size_t> sight_metric;  // eigmax, where terms aren't monotone
   std::string slope_problem;
   std::vector<std::size_t> failing;  // devices of which one may fail
   World nominal;                     // as last built

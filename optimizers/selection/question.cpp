@@ -27,7 +27,7 @@ std::vector<VarianceTerm> variance_terms(const Scene& scene, const System& syste
   std::vector<VarianceTerm> terms;
   for (const ObjectiveTerm& term : written) {
     const auto metric = std::get<Metric>(parse_metric(
-        term.metric.empty() ? scene.metric : term.metric, covariance_layout(scene)));
+        term.metric.empty() ? scene.metric : term.metric, known_metrics(scene)));
     const std::string problem = variance_problem(metric);
     if (!problem.empty()) throw std::invalid_argument(problem);
     if (term.maximize ||

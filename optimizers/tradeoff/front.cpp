@@ -32,7 +32,7 @@ struct LimitOf {
 /// Whether a larger limit asks for more.
 bool is_lower_bound(const ConstraintEntry& entry, const Scene& scene) {
   if (const auto* keep = std::get_if<KeepMetric>(&entry.what))
-    return std::get<Metric>(parse_metric(keep->metric, covariance_layout(scene)))
+    return std::get<Metric>(parse_metric(keep->metric, known_metrics(scene)))
         .larger_is_better;
   return !std::holds_alternative<KeepTilt>(entry.what) &&
          !std::holds_alternative<KeepSum>(entry.what);

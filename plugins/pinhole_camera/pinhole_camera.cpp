@@ -70,8 +70,8 @@ class PinholeCamera final : public delos::Device {
   };
 
   explicit PinholeCamera(const delos::ParamValues& p)
-      : near_(p["near"]), far_(p["far"]) {
-    const double pixel = p["pitch"] / p["focal"];  // in normalised coordinates
+      : near_(p["near"]), far_(p["far"]), pixel_(p["pitch"] / p["focal"]) {
+    const double pixel = pixel_;
     const Eigen::MatrixXd& resolution = p.matrix("resolution");
     if (near_ >= far_) throw std::invalid_argument("near must be less than far");
     if (resolution.size() != 2 || !(resolution.array() > 0).all()) {
@@ -88,6 +88,9 @@ class PinholeCamera final : public delos::Device {
       growing_ = p["r"];
     }
   }
+
+  // What a pixel covers of a plane that faces the camera: pitch/focal at a depth of 1.
+  double footprint(const Eigen::Vector3d& p) const override { return pixel_ * p.z(); }
 
   bool observe(const delos::Target& target, delos::Observation& out) const override {
     const double z = target.p_ST.z();
@@ -194,6 +197,7 @@ class PinholeCamera final : public delos::Device {
 
  private:
   double near_, far_;                  // m
+  double pixel_;                       // its width, normalised
   double u_max_, v_max_;               // half the image, normalised
   Eigen::Vector2d u_plane_, v_plane_;  // the sides' normals: across, and forward
   double least_cosine_;  // of the angle to the axis beyond which depth is smoothed

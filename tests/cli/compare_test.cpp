@@ -176,6 +176,20 @@ TEST(CompareCommand, RefusesScenesOfDifferentMetrics) {
   EXPECT_EQ(run(one, folder.path()).code, 0);
 }
 
+/// One name, two formulas: half of eigmax isn't better than eigmax.
+TEST(CompareCommand, RefusesAMetricThatMeansTwoThings) {
+  const std::string first = scene("01-acoustic"),
+                    own = "+metrics={own: {expression: eigmax}}";
+  const Finished same = run({"compare", first + own, first + own, "--metric", "own"});
+  EXPECT_EQ(same.code, 0) << same.err;
+  const Finished other =
+      run({"compare", first + own, first + "+metrics={own: {expression: eigmax/2}}",
+           "--metric", "own"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("mean different things by own"), std::string::npos)
+      << other.err;
+}
+
 TEST(CompareCommand, NeedsTwoScenes) {
   EXPECT_EQ(run({"compare", scene("01-acoustic")}).code, 2);
 }

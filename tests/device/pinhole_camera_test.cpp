@@ -38,6 +38,23 @@ TEST(PinholeCamera, HasTheFieldOfViewOfTheDataSheet) {
   EXPECT_NEAR(field_of_view(*camera, {0, -1}), 32.978, 0.001);
 }
 
+// Of a camera's Jacobian, ∂(pixels)/∂p, the two singular values other than 0 say how
+// many pixels a metre across the sight line covers, in two directions; the footprint is
+// the length of the one that gets fewer.
+TEST(PinholeCamera, HasTheFootprintOfItsJacobian) {
+  const auto camera = device("pinhole_camera", kDragonfly);
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(0, 0, 2), {0.4, -0.2, 2}, {-1.1, 0.8, 3}, {0.01, 0, 0.3}}) {
+    Observation out;
+    ASSERT_TRUE(camera->observe(Target{.p_ST = p, .state = {}}, out));
+    const Eigen::MatrixXd in_pixels = out.H * (0.006 / 7.4e-6);
+    const double fewest = in_pixels.jacobiSvd().singularValues()(1);
+    EXPECT_NEAR(camera->footprint(p), 1 / fewest, 1e-12 / fewest);
+  }
+  // 7.4 µm at 6 mm, two metres away: 2.47 mm.
+  EXPECT_NEAR(camera->footprint({0, 0, 2}), 2 * 7.4e-6 / 0.006, 1e-18);
+}
+
 // Powers of two, in which the half image is exactly 1 wide and ½ high:
 // 1024 · 2⁻¹⁷ / (2 · 2⁻⁸) = 1, and half of that for 512 rows.
 TEST(PinholeCamera, FrustumIsExactAtItsEdges) {

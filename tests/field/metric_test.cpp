@@ -23,7 +23,7 @@ Metric metric(const std::string& name, const StateLayout& layout) {
 
 double value(const std::string& name, const StateLayout& layout,
              const FusedState& state) {
-  return state_metric(metric(name, layout), layout, state, CovarianceKind::prior);
+  return state_metric(metric(name, layout), layout, state, CovarianceKind::prior, {});
 }
 
 FusedState diagonal(const Eigen::VectorXd& variances) {
@@ -49,9 +49,9 @@ TEST(Metric, FollowsTheDefinitions) {
   const double det = 1. * 4 * 9 * 16 * 25 * 36;
   EXPECT_NEAR(value("mle", layout, state),
               std::pow(2 * std::numbers::pi, -3) / std::sqrt(det), 1e-18);
-  EXPECT_DOUBLE_EQ(
-      state_metric(metric("trace", layout), layout, state, CovarianceKind::posterior),
-      7);
+  EXPECT_DOUBLE_EQ(state_metric(metric("trace", layout), layout, state,
+                                CovarianceKind::posterior, {}),
+                   7);
 }
 
 TEST(Metric, OfAPoseReadsItsOwnBlock) {
@@ -89,7 +89,7 @@ TEST(Metric, ThatTheStateLacksIsRefusedWithTheListOfThoseThere) {
   EXPECT_EQ(std::get<std::string>(answer),
             "unknown metric 'sigma_vx'; this state has sigma_x sigma_y sigma_z "
             "sigma_horizontal sigma_position eigmax eiglen mle trace det coverage "
-            "latency");
+            "footprint latency");
 }
 
 TEST(Metric, IsInfiniteOnlyWhereItReadsALostDirection) {

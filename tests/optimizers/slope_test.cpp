@@ -164,6 +164,16 @@ INSTANTIATE_TEST_SUITE_P(
                "2]}"},
               {"target", "{markers: [[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.15]]}"}},
              40},
+        // Formulas: of metrics, of entries of P and of who sees; one of them isn't
+        // monotone, so that what nobody sees costs.
+        Case{"02-eight-cameras",
+             kPlaces,
+             "{terms: [{minimize: mean, of: flat}, {minimize: cvar, of: mixed}]}",
+             {{"metrics",
+               "{flat: {expression: 'sigma_z/sigma_x + 0.1*P[x, vx]/P[x, x] + x', "
+               "unit: '1'}, mixed: "
+               "{expression: (eigmax + sigma_vz*0.1)/coverage^2, unit: m}}"},
+              {"constraints", "[{metric: flat, below: 3}]"}}},
         // One reading of everything, without motion.
         Case{"03-hybrid",
              "[{path: devices.*.at, lower: -6, upper: 7}]",

@@ -105,7 +105,7 @@ TEST(PluginRegistry, DevicesOutliveIt) {
 
 TEST(BadPlugin, WrongEpoch) {
   EXPECT_EQ(error_of("wrong_epoch"),
-            "was built with another plugin contract (kAbiEpoch 6, the kernel has 5); "
+            "was built with another plugin contract (kAbiEpoch 7, the kernel has 6); "
             "rebuild it with the kernel's headers");
 }
 

@@ -13,7 +13,7 @@ std::vector<Bad> bad_parts() {
       {"NoShape",
        good_with(kVolume, "name: bench"),
        {e("8:3: error: sample: nothing to sample; give volume, plane, points, "
-          "file or mesh")}},
+          "file, path or mesh")}},
       {"TwoShapes",
        good_with(kVolume, kVolume + "\n  points: [[0, 0, 0]]"),
        {e("9:11: error: sample.points: the set is given by 'volume' already; make a "

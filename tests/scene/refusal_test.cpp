@@ -86,10 +86,9 @@ std::vector<Bad> bad_texts() {
        {e("14:5: error: devices.s1.rate: no value is given: updates a second, such as "
           "50 "
           "Hz")}},
-      {"LaterSampleKey",
-       good_with(kVolume, "path: walk.csv"),
-       {e("8:9: error: sample.path: not supported by this version: samples along a "
-          "recorded path")}},
+      {"NoSuchPath",
+       good_with(kVolume, "path: walk.txt"),
+       {e("8:9: error: sample.path: 'walk.txt' is neither a .ptl nor a .csv file")}},
 
       // ---- values ----
       {"WrongUnit",

@@ -12,6 +12,8 @@ bool Device::observe_smoothly(const Eigen::Vector3d&, SmoothRows&) const {
   return false;
 }
 
+double Device::footprint(const Eigen::Vector3d&) const { return 0; }
+
 View Device::view_of_ball(const Eigen::Vector3d&, double) const {
   return View::unknown;
 }

@@ -14,7 +14,6 @@ namespace delos {
 enum class Need {
   optional,
   required,
-  later,  ///< part of the scene format, but not of what this version can do
 };
 
 /// One key of a mapping that describes a T.
@@ -40,7 +39,7 @@ constexpr std::array<Key<T>, M + N> concat(const std::array<Key<T>, M>& first,
 }
 
 /// Read a mapping, key by key in the order of the table, whatever the text's order is.
-/// Unknown, missing, empty and not yet supported keys are found here.
+/// Unknown, missing and empty keys are found here.
 /// @returns false where it isn't a mapping.
 template <class T, std::size_t N>
 bool read_map(Reader& reader, const Place& at, const std::array<Key<T>, N>& keys,
@@ -67,9 +66,6 @@ bool read_map(Reader& reader, const Place& at, const std::array<Key<T>, N>& keys
       if (key.need == Need::required)
         reader.error_within(at, node.mark, key.name,
                             std::string("missing: ") + key.help);
-    } else if (key.need == Need::later) {
-      reader.error_within(at, value->mark, key.name,
-                          std::string("not supported by this version: ") + key.help);
     } else if (value->kind == Node::Kind::null) {
       reader.error_within(at, value->mark, key.name,
                           std::string("no value is given: ") + key.help);

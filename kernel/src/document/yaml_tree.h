@@ -24,6 +24,7 @@ struct Node {
   std::string text;         ///< of a scalar, unquoted
   std::vector<Node> items;  ///< members of a list, values of a map
   std::vector<Key> keys;    ///< of a map, one an item; may repeat
+  bool quoted = false;      ///< a scalar whose text begins a column after its mark
 
   /// The first value of that key, null where there is none or this isn't a map.
   [[nodiscard]] const Node* find(std::string_view key) const;

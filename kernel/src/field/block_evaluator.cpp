@@ -4,27 +4,20 @@
 #include <cmath>
 
 #include "delos/model/infinity.h"
+#include "delos/model/metric_expression.h"
 #include "delos/steady/combine.h"
 #include "layers/block.h"
 #include "steady/chain_reduction.h"
 
 namespace delos {
-namespace {
-
-double coverage(const LayerBlock& block, int lane) {
-  return static_cast<double>(
-      std::count_if(block.seen.begin(), block.seen.end(),
-                    [lane](std::uint64_t seen) { return seen >> lane & 1; }));
-}
-
-}  // namespace
-
 BlockEvaluator::BlockEvaluator(const SteadySolver& solver, const System& system,
                                const Metric& metric)
     : solver_(solver),
       system_(system),
       metric_(metric),
       need_(need_of(metric, system.motion.layout)),
+      with_facts_(metric.expression || need_ == MetricNeed::nothing),
+      with_footprint_(reads(metric, MetricKind::footprint)),
       request_(request_for(system, {&metric, 1})),
       equation_(solver.equation()),
       P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {}
@@ -35,9 +28,9 @@ void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses
   const bool in_lanes = reduction && need_ <= MetricNeed::pose_block;
   if (in_lanes) {
     reduction->pose_covariances(block, P_.data(), lost_);
-    if (need_ == MetricNeed::pose_block) {
-      metric_values(metric_, system_.motion.layout, P_.data(), value_);
-    }
+    for (int lane = 0; lane < block.lanes && with_facts_; ++lane)
+      facts_[lane] = facts_of(system_, block, lane, poses[lane], with_footprint_);
+    lane_metrics(metric_, system_.motion.layout, P_.data(), facts_, value_);
   }
   for (int lane = 0; lane < block.lanes; ++lane) {
     // The rest of a pose that has lost directions needs more care.
@@ -45,7 +38,6 @@ void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses
                       (lost_[lane] == 0 || need_ == MetricNeed::nothing);
     values[lane] = done ? PoseValue{value_[lane], lost_[lane] == 0, lost_[lane]}
                         : solved_value(block, lane, poses[lane]);
-    if (need_ == MetricNeed::nothing) values[lane].value = coverage(block, lane);
   }
 }
 
@@ -53,9 +45,9 @@ PoseValue BlockEvaluator::solved_value(const LayerBlock& block, int lane,
                                        const TargetPose& pose) {
   solver_.read(block, lane, pose, equation_);
   solver_.solve(equation_, request_, state_);
-  double value = kInfinity;
-  if (need_ != MetricNeed::nothing)
-    value = state_metric(metric_, system_.motion.layout, state_, system_.covariance);
+  const double value =
+      state_metric(metric_, system_.motion.layout, state_, system_.covariance,
+                   facts_of(system_, block, lane, pose, with_footprint_));
   // A lost direction of the pose is lost with its derivatives.
   const int order = system_.motion.layout.order;
   const auto lost = static_cast<int>(state_.unobservable.cols());

@@ -6,6 +6,7 @@
 
 #include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
+#include "field/pose_facts.h"
 
 namespace delos {
 
@@ -33,10 +34,12 @@ class BlockEvaluator {
   const System& system_;
   const Metric& metric_;
   MetricNeed need_;
+  bool with_facts_, with_footprint_;  // what lanes need besides P
   SteadyRequest request_;
   SteadyEquation equation_;
   std::vector<double> P_;
   double value_[kLanes] = {};
+  PoseFacts facts_[kLanes];
   int lost_[kLanes] = {};
   FusedState state_;
 };

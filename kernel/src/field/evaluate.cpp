@@ -9,13 +9,14 @@
 #include <stdexcept>
 
 #include "delos/model/infinity.h"
+#include "delos/model/metric_expression.h"
 #include "field/place_evaluator.h"
 #include "parallel/first_failure.h"
 #include "rig/sight.h"
 
 namespace delos {
 std::string metric_problem(const System& system, const Metric& metric) {
-  if (metric.kind != MetricKind::latency) return "";
+  if (!reads(metric, MetricKind::latency)) return "";
   if (system.covariance == CovarianceKind::single)
     return "metric latency: a single reading has no closed loop; use covariance: prior";
   if (system.fusion != Fusion::artemis) return "";

@@ -7,18 +7,13 @@
 #include "delos/model/infinity.h"
 #include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
+#include "field/pose_facts.h"
 #include "layers/block.h"
 #include "rig/sight.h"
 #include "steady/chain_reduction.h"
 
 namespace delos {
 namespace {
-
-double coverage(const LayerBlock& block) {
-  double seen = 0;
-  for (const std::uint64_t word : block.seen) seen += static_cast<double>(word & 1);
-  return seen;
-}
 
 /// Whitened rows with the weight that fusion gives each device, and the prior's.
 Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened) {
@@ -37,11 +32,11 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
 }
 
 double value_of(const Metric& metric, const System& system, const FusedState& state,
-                const LayerBlock& block) {
-  if (metric.kind == MetricKind::coverage) return coverage(block);
+                const LayerBlock& block, const TargetPose& pose) {
   if (!metric_problem(system, metric).empty()) return kInfinity;
   const double value =
-      state_metric(metric, system.motion.layout, state, system.covariance);
+      state_metric(metric, system.motion.layout, state, system.covariance,
+                   facts_of(system, block, 0, pose, true));
   return std::isfinite(value) ? value : kInfinity;
 }
 
@@ -58,7 +53,7 @@ double value_without(System system, std::size_t device, const TargetPose& pose,
   FusedState state;
   fusion->read(block, 0, pose, equation);
   fusion->solve(equation, request_for(system, {&metric, 1}), state);
-  return value_of(metric, system, state, block);
+  return value_of(metric, system, state, block, pose);
 }
 
 /// By what fraction the metric gets worse from `with` to `without`; NaN where it has no
@@ -67,6 +62,9 @@ double rise(double with, double without, bool larger_is_better) {
   if (!std::isfinite(with)) return std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(without)) return kInfinity;
   if (with == without) return 0;
+  // A formula may be 0 or less.
+  if (with <= 0 || without <= 0)
+    return (larger_is_better ? with - without : without - with) / std::abs(with);
   return larger_is_better ? with / without - 1 : without / with - 1;
 }
 
@@ -96,9 +94,10 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
     fusion->solve(equation, everything, report.state);
   }
 
-  for (const std::string& name : metric_names(system.motion.layout)) {
-    const Metric m = std::get<Metric>(parse_metric(name, system.motion.layout));
-    report.metrics.push_back({m, value_of(m, system, report.state, block)});
+  const KnownMetrics known{system.motion.layout, system.own_metrics};
+  for (const std::string& name : metric_names(known)) {
+    const Metric m = std::get<Metric>(parse_metric(name, known));
+    report.metrics.push_back({m, value_of(m, system, report.state, block, pose)});
   }
 
   report.residual = std::numeric_limits<double>::quiet_NaN();
@@ -109,7 +108,7 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
     report.residual = riccati_residual(motion, measurement, report.state.prior);
   }
 
-  const double with = value_of(metric, system, report.state, block);
+  const double with = value_of(metric, system, report.state, block, pose);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     DeviceShare share{system.devices[i].name, system.devices[i].type,
                       (block.seen[i] & 1) != 0, 0};

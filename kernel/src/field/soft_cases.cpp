@@ -110,8 +110,8 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
       }
       if (by_information()) continue;
       double* of_turn = &scratch.of_turns[c * of_case + t * metrics.size()];
-      metric.values(out, scratch.steady, of_turn);
-      set_coverage(out[seen_at()], of_turn);
+      metric.values(out, {out[seen_at()], 0, samples.points[point]}, scratch.steady,
+                    of_turn);
     }
   }
   for (std::size_t c = 0; c < cases(); ++c) {
@@ -119,15 +119,11 @@ void SoftField::State::evaluate_point(const SoftInformation& soft,
     if (by_information()) {
       double S[kMostPacked];
       mean_information(point, c, S);
-      metric.values(S, scratch.steady, of_turns);
+      metric.values(S, {S[seen_at()], 0, samples.points[point]}, scratch.steady,
+                    of_turns);
     }
     combine(point, c, of_turns);
   }
-}
-
-void SoftField::State::set_coverage(double seen, double* of_turn) const {
-  for (std::size_t m = 0; m < metrics.size(); ++m)
-    if (metrics[m].kind == MetricKind::coverage) of_turn[m] = seen;
 }
 
 void SoftField::State::combine(std::size_t point, std::size_t of_case,
@@ -153,7 +149,8 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
       weights[m] = slopes[m][point] * share;
     double S[kMostPacked];
     mean_information(point, of_case, S);
-    metric.slope(S, weights.data(), steady, G);
+    metric.slope(S, {S[seen_at()], 0, samples.points[point]}, weights.data(), steady,
+                 G);
     for (std::size_t t = 0; t < turns.size(); ++t) {
       double* out = &adjoint[offset(point, t, of_case)];
       pack(G, out);
@@ -172,11 +169,10 @@ void SoftField::State::adjoin_case(const MetricSlope& metric, std::size_t point,
       std::fill_n(out, packed(), 0.0);
       continue;
     }
-    metric.slope(&information[offset(point, t, of_case)], weights.data(), steady, G);
+    const double* S = &information[offset(point, t, of_case)];
+    out[seen_at()] = metric.slope(S, {S[seen_at()], 0, samples.points[point]},
+                                  weights.data(), steady, G);
     pack(G, out);
-    out[seen_at()] = 0;
-    for (std::size_t m = 0; m < metrics.size(); ++m)
-      if (metrics[m].kind == MetricKind::coverage) out[seen_at()] += weights[m];
   }
 }
 

@@ -113,7 +113,6 @@ struct SoftField::State {
   void sum_adjoints(std::size_t point);
   bool adjoint_of(std::size_t point, std::size_t turn, std::size_t device,
                   StateMatrix& G, double& g) const;
-  void set_coverage(double seen, double* of_turn) const;
 };
 
 }  // namespace delos

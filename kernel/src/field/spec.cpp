@@ -34,14 +34,14 @@ bool meets(double value, Relation relation, double limit) {
 }  // namespace
 
 std::variant<Spec, std::string> parse_spec(std::string_view text,
-                                           const StateLayout& layout) {
+                                           const KnownMetrics& known) {
   const std::size_t sign = text.find_first_of("<>");
   if (sign == std::string_view::npos) return std::string(kExample);
   const bool or_equal = text.substr(sign + 1).starts_with('=');
   const std::string_view value = trimmed(text.substr(sign + (or_equal ? 2 : 1)));
   if (value.empty() || value.find_first_of("<>=") != std::string_view::npos)
     return std::string(kExample);
-  const auto metric = parse_metric(trimmed(text.substr(0, sign)), layout);
+  const auto metric = parse_metric(trimmed(text.substr(0, sign)), known);
   if (const auto* problem = std::get_if<std::string>(&metric)) return *problem;
 
   Spec spec{std::string(trimmed(text)), std::get<Metric>(metric), {}, 0};

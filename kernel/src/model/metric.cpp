@@ -35,6 +35,7 @@ std::string likelihood_unit(const StateLayout& layout) {
 
 std::string unit_of(const MetricRow& row, const StateLayout& layout) {
   if (row.kind == MetricKind::mle) return likelihood_unit(layout);
+  if (row.kind == MetricKind::footprint) return "m";
   if (row.reads == MetricReads::devices) return "1";
   if (row.reads == MetricReads::closed_loop) return "s";
   const bool turns = row.reads == MetricReads::orientation ||
@@ -46,31 +47,42 @@ std::string unit_of(const MetricRow& row, const StateLayout& layout) {
 }  // namespace
 
 std::variant<Metric, std::string> parse_metric(std::string_view name,
-                                               const StateLayout& layout) {
+                                               const KnownMetrics& known) {
+  const StateLayout& layout = known.layout;
+  for (const Metric& own : known.own)
+    if (name == own.name) return own;
   for (const MetricRow& row : metric_table()) {
     if (name != row.name || !has(layout, row.reads)) continue;
-    return Metric{row.kind, 0, std::string(name), unit_of(row, layout),
-                  row.larger_is_better};
+    return Metric{
+        row.kind, 0,      std::string(name), unit_of(row, layout), row.larger_is_better,
+        true,     nullptr};
   }
   const std::vector<std::string> states = layout.names(), units = layout.units();
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (name == row_of(MetricKind::sigma).name + states[i]) {
-      return Metric{MetricKind::sigma, static_cast<int>(i), std::string(name), units[i],
-                    row_of(MetricKind::sigma).larger_is_better};
+      return Metric{MetricKind::sigma,
+                    static_cast<int>(i),
+                    std::string(name),
+                    units[i],
+                    row_of(MetricKind::sigma).larger_is_better,
+                    true,
+                    nullptr};
     }
   }
   std::string message = "unknown metric '" + std::string(name) + "'; this state has";
-  for (const std::string& known : metric_names(layout)) message += " " + known;
+  for (const std::string& other : metric_names(known)) message += " " + other;
   return message;
 }
 
-std::vector<std::string> metric_names(const StateLayout& layout) {
+std::vector<std::string> metric_names(const KnownMetrics& known) {
+  const StateLayout& layout = known.layout;
   std::vector<std::string> names;
   for (const std::string& state : layout.names())
     names.push_back(row_of(MetricKind::sigma).name + state);
   for (const MetricRow& row : metric_table()) {
     if (has(layout, row.reads)) names.emplace_back(row.name);
   }
+  for (const Metric& own : known.own) names.push_back(own.name);
   return names;
 }
 

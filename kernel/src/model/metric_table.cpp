@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "delos/model/lanes.h"
+#include "delos/model/metric_expression.h"
 #include "model/jacobi.h"
 #include "model/largest_eigenvalue.h"
 
@@ -119,20 +120,55 @@ constexpr MetricRow kTable[] = {
      in_lanes<determinant_of>},
     {"coverage", MetricKind::coverage, MetricReads::devices, 0, true, false, false,
      nullptr, nullptr, nullptr},
+    {"footprint", MetricKind::footprint, MetricReads::devices, 1, false, false, false,
+     nullptr, nullptr, nullptr},
     {"latency", MetricKind::latency, MetricReads::closed_loop, 0, false, false, false,
      nullptr, nullptr, nullptr},
 };
+
+// What a formula reads stands in the formula.
+constexpr MetricRow kOfFormulas = {"",
+                                   MetricKind::expression,
+                                   MetricReads::others,
+                                   0,
+                                   false,
+                                   false,
+                                   false,
+                                   nullptr,
+                                   nullptr,
+                                   nullptr};
+
+MetricNeed need_of(const MetricInput& input, const StateLayout& layout) {
+  switch (input.kind) {
+    case MetricInput::Kind::metric:
+      return need_of(input.metric, layout);
+    case MetricInput::Kind::entry:
+      return std::max(input.row, input.column) < layout.coordinates()
+                 ? MetricNeed::pose_block
+                 : MetricNeed::whole_state;
+    case MetricInput::Kind::position:
+      break;
+  }
+  return MetricNeed::nothing;
+}
 
 }  // namespace
 
 std::span<const MetricRow> metric_table() { return kTable; }
 
 const MetricRow& row_of(MetricKind kind) {
+  if (kind == MetricKind::expression) return kOfFormulas;
   return *std::find_if(std::begin(kTable), std::end(kTable),
                        [kind](const MetricRow& row) { return row.kind == kind; });
 }
 
 MetricNeed need_of(const Metric& metric, const StateLayout& layout) {
+  if (metric.expression) {
+    MetricNeed most = MetricNeed::nothing;
+    for (const MetricInput& input : metric.expression->inputs)
+      most = std::max(most, need_of(input, layout));
+    return most;
+  }
   switch (row_of(metric.kind).reads) {
     case MetricReads::devices:
       return MetricNeed::nothing;

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "delos/scene/clutter.h"
 #include "delos/scene/definition.h"
 #include "rig/parts.h"
 
@@ -55,10 +56,10 @@ class BeaconSharing {
 };
 
 /// The bodies of one mount, placed.
-Occluders placed_occluders(const Scene& scene, Mount mount) {
-  const std::vector<TriangleMesh> bodies = placed_bodies(scene.occluders, mount);
+Occluders placed_occluders(const std::vector<OccluderEntry>& occluders, Mount mount) {
+  const std::vector<TriangleMesh> bodies = placed_bodies(occluders, mount);
   std::vector<char> rooms;
-  for (const OccluderEntry& entry : scene.occluders)
+  for (const OccluderEntry& entry : occluders)
     if (entry.mount == mount) rooms.push_back(entry.room);
   return bodies.empty() ? Occluders() : Occluders(bodies, rooms);
 }
@@ -89,15 +90,16 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
   system.motion = single ? no_motion(covariance_layout(scene)) : scene.motion;
   system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
+  system.own_metrics = known_metrics(scene).own;
   system.markers = scene.markers;
   system.skin = scene.skin;
-  system.occluders = scene.occluders;
-  if (previous && previous->occluders == scene.occluders) {
+  system.occluders = all_occluders(scene);
+  if (previous && previous->occluders == system.occluders) {
     system.in_world = previous->in_world;
     system.on_target = previous->on_target;
   } else {
-    system.in_world = placed_occluders(scene, Mount::world);
-    system.on_target = placed_occluders(scene, Mount::target);
+    system.in_world = placed_occluders(system.occluders, Mount::world);
+    system.on_target = placed_occluders(system.occluders, Mount::target);
   }
   system.beacon_sets = scene.beacons;
   BeaconSharing beacons(scene, previous);

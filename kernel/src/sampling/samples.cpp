@@ -26,6 +26,18 @@ Eigen::Matrix<std::int64_t, 3, 1> grid_counts(const VolumeSampling& v) {
           axis_count(v.min.z(), v.max.z(), v.step.z())};
 }
 
+double path_length(const PathSampling& p) {
+  double length = 0;
+  for (std::size_t i = 1; i < p.waypoints.size(); ++i)
+    length += (p.waypoints[i] - p.waypoints[i - 1]).norm();
+  return length;
+}
+
+std::int64_t path_count(const PathSampling& p) {
+  if (p.step) return axis_count(0, path_length(p), *p.step);
+  return p.count ? *p.count : static_cast<std::int64_t>(p.waypoints.size());
+}
+
 std::int64_t saturating_product(std::int64_t a, std::int64_t b) {
   std::int64_t product;
   return __builtin_mul_overflow(a, b, &product) ? kMost : product;
@@ -42,6 +54,7 @@ struct Count {
   std::int64_t operator()(const PointSampling& p) const {
     return static_cast<std::int64_t>(p.points.size());
   }
+  std::int64_t operator()(const PathSampling& p) const { return path_count(p); }
   std::int64_t operator()(const MeshSampling& m) const {
     return static_cast<std::int64_t>(m.surface.mesh->vertices.size());
   }
@@ -77,6 +90,33 @@ struct Make {
 
   decltype(SamplePart::shape) operator()(const PointSampling& p) const {
     points.insert(points.end(), p.points.begin(), p.points.end());
+    return ScatteredShape{};
+  }
+
+  decltype(SamplePart::shape) operator()(const PathSampling& p) const {
+    if (!p.step && !p.count) {
+      points.insert(points.end(), p.waypoints.begin(), p.waypoints.end());
+      return ScatteredShape{};
+    }
+    const std::int64_t count = path_count(p);
+    const double length = path_length(p);
+    std::size_t leg = 1;
+    double before = 0;  // the path's length up to this leg
+    for (std::int64_t k = 0; k < count; ++k) {
+      const auto i = static_cast<double>(k);
+      const double s =
+          p.step ? i * *p.step : length * i / static_cast<double>(count - 1);
+      double here = (p.waypoints[leg] - p.waypoints[leg - 1]).norm();
+      while (s > before + here && leg + 1 < p.waypoints.size()) {
+        before += here;
+        ++leg;
+        here = (p.waypoints[leg] - p.waypoints[leg - 1]).norm();
+      }
+      // Rounding of the sum may not lead beyond the end.
+      const double part = here > 0 ? std::min((s - before) / here, 1.0) : 0;
+      points.emplace_back(p.waypoints[leg - 1] +
+                          part * (p.waypoints[leg] - p.waypoints[leg - 1]));
+    }
     return ScatteredShape{};
   }
 

@@ -77,8 +77,8 @@ void read_limit(Reader& reader, const Place& at, ConstraintDraft& out) {
   std::string unit = "1";
   if (const auto* metric = std::get_if<KeepMetric>(&out.entry.what)) {
     if (metric->metric.empty()) return;
-    unit = std::get<Metric>(parse_metric(metric->metric, covariance_layout(*out.scene)))
-               .unit;
+    unit =
+        std::get<Metric>(parse_metric(metric->metric, known_metrics(*out.scene))).unit;
   }
   out.limit = reader.number(at, unit);
 }
@@ -281,7 +281,7 @@ void check_metric(Reader& reader, const Place& at, const ConstraintDraft& draft)
   const auto* metric = as<KeepMetric>(draft);
   if (!metric) return;
   const bool more =
-      std::get<Metric>(parse_metric(metric->metric, covariance_layout(*draft.scene)))
+      std::get<Metric>(parse_metric(metric->metric, known_metrics(*draft.scene)))
           .larger_is_better;
   const char* wanted = more ? "above" : "below";
   const char* wrong = more ? "below" : "above";
@@ -362,7 +362,7 @@ std::optional<Node> write_constraints(const Scene& scene) {
     ConstraintDraft draft;
     draft.entry = entry;
     if (const auto* metric = std::get_if<KeepMetric>(&entry.what)) {
-      const auto known = parse_metric(metric->metric, covariance_layout(scene));
+      const auto known = parse_metric(metric->metric, known_metrics(scene));
       if (std::get<Metric>(known).larger_is_better) draft.kind = "above";
     }
     list.push_back(write_map(kConstraintKeys, draft));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+
+#include "delos/model/metric_expression.h"
 
 namespace delos {
 namespace {
@@ -53,6 +56,18 @@ bool takes(const Scene& scene, Fusion fusion) {
 StateLayout covariance_layout(const Scene& scene) {
   if (scene.covariance != CovarianceKind::single) return scene.motion.layout;
   return {scene.motion.layout.pose, 1, {}};
+}
+
+KnownMetrics known_metrics(const Scene& scene) {
+  KnownMetrics known{covariance_layout(scene)};
+  for (const MetricEntry& entry : scene.metrics) {
+    auto made = make_metric(entry.name, entry.expression, entry.larger_is_better,
+                            entry.unit, known);
+    // What can't be made has a finding where the scene is read.
+    if (auto* metric = std::get_if<Metric>(&made))
+      known.own.push_back(std::move(*metric));
+  }
+  return known;
 }
 
 std::string to_string(const Definition& definition) {

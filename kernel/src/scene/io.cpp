@@ -90,6 +90,9 @@ void visit_files(Scene& scene, Visit&& visit) {
   }
   for (SampleSet& set : scene.samples) {
     if (auto* mesh = std::get_if<MeshSampling>(&set.shape)) visit(mesh->surface.file);
+    if (auto* path = std::get_if<PathSampling>(&set.shape)) {
+      if (!path->file.empty()) visit(path->file);
+    }
     if (auto* points = std::get_if<PointSampling>(&set.shape)) {
       if (!points->file.empty()) visit(points->file);
     }

@@ -30,7 +30,7 @@ struct TermDraft {
 Metric metric_of(const TermDraft& draft) {
   const std::string& name =
       draft.term.metric.empty() ? draft.scene->metric : draft.term.metric;
-  return std::get<Metric>(parse_metric(name, covariance_layout(*draft.scene)));
+  return std::get<Metric>(parse_metric(name, known_metrics(*draft.scene)));
 }
 
 void read_reduction(Reader& reader, const Place& at, TermDraft& out, bool maximize) {
@@ -244,7 +244,7 @@ std::optional<std::string> read_metric_name(Reader& reader, const Place& at,
                                             const Scene& scene) {
   auto name = reader.word(at);
   if (!name) return std::nullopt;
-  const auto known = parse_metric(*name, covariance_layout(scene));
+  const auto known = parse_metric(*name, known_metrics(scene));
   if (const auto* problem = std::get_if<std::string>(&known)) {
     reader.error(at, *problem);
     return std::nullopt;

@@ -126,7 +126,18 @@ constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
        if (!m) return std::nullopt;
        return write_mesh_samples(*m);
      }},
-    {"path", Need::later, "samples along a recorded path"},
+    {"path", Need::optional,
+     "samples along a line through waypoints: a file, or points, step, count",
+     [](Reader& r, const Place& p, SampleSetDraft& d) {
+       auto path = read_path(r, p);
+       d.complete = path.has_value();
+       if (path) d.set.shape = std::move(*path);
+     },
+     [](const SampleSetDraft& d) -> Written {
+       const auto* path = std::get_if<PathSampling>(&d.set.shape);
+       if (!path) return std::nullopt;
+       return write_path(*path);
+     }},
     {"orientations", Need::optional, "target orientations tried at each point",
      [](Reader& r, const Place& p, SampleSetDraft& d) {
        if (!d.single)
@@ -158,7 +169,7 @@ bool check_one_shape(Reader& reader, const Place& at) {
     given = shape;
   }
   if (!given.empty()) return one;
-  reader.error(at, "nothing to sample; give volume, plane, points, file or mesh");
+  reader.error(at, "nothing to sample; give volume, plane, points, file, path or mesh");
   return false;
 }
 
@@ -178,6 +189,8 @@ void report_too_many(Reader& reader, const Place& at, const SampleSet& set) {
   if (std::holds_alternative<PlaneSampling>(set.shape))
     return within("plane", "counts");
   if (std::holds_alternative<MeshSampling>(set.shape)) return within("mesh", nullptr);
+  if (const auto* path = std::get_if<PathSampling>(&set.shape))
+    return within("path", path->step ? "step" : path->count ? "count" : nullptr);
   within(std::get<PointSampling>(set.shape).file.empty() ? "points" : "file", nullptr);
 }
 

@@ -71,6 +71,14 @@ std::string too_many_samples(const SampleSet& set, std::int64_t most) {
     return text + ": use step " + fitting_step(*volume, most) + " or coarser";
   if (const auto* plane = std::get_if<PlaneSampling>(&set.shape))
     return text + ": use counts " + fitting_counts(*plane, most) + " or fewer";
+  const auto* path = std::get_if<PathSampling>(&set.shape);
+  if (path && path->step) {
+    const double factor =
+        static_cast<double>(sample_count(set) - 1) / static_cast<double>(most - 1);
+    return text + ": use step " + shortest(rounded_up(*path->step * factor)) +
+           " or coarser";
+  }
+  if (path && path->count) return text + ": use count " + grouped(most) + " or fewer";
   return text + ": keep fewer points";
 }
 

@@ -1,11 +1,13 @@
 #include "scene/sample_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "document/node_text.h"
 #include "scene/body_keys.h"
 #include "scene/mesh_keys.h"
+#include "scene/point_file.h"
 #include "text/number_text.h"
 
 namespace delos {
@@ -200,6 +202,71 @@ constexpr std::array<Key<PlaneSampling>, 4> kPlaneKeys = {{
      }},
 }};
 
+// ---- path ----
+
+void read_waypoints(Reader& reader, const Place& at, PathSampling& out) {
+  const auto written = reader.word(at);
+  if (!written) return;
+  out.file = reader.file_name(at, *written);
+  const auto rows =
+      read_row_file(reader, at, out.file, {{"x", "y", "z"}, {3}}, "waypoints");
+  if (!rows) return;
+  for (const auto& row : *rows) out.waypoints.emplace_back(row[0], row[1], row[2]);
+}
+
+constexpr std::array<Key<PathSampling>, 4> kPathKeys = {{
+    {"points", Need::optional, "waypoints in order [[x, y, z], …], metres",
+     [](Reader& r, const Place& p, PathSampling& s) {
+       if (auto points = r.vectors3(p, "m")) s.waypoints = std::move(*points);
+     },
+     [](const PathSampling& s) -> Written {
+       if (!s.file.empty()) return std::nullopt;
+       return to_node(s.waypoints);
+     }},
+    {"file", Need::optional, "waypoints in a .ptl or .csv file, relative to the scene",
+     read_waypoints,
+     [](const PathSampling& s) -> Written {
+       if (s.file.empty()) return std::nullopt;
+       return to_node(s.file);
+     }},
+    {"step", Need::optional, "distance of samples along the path, metres",
+     [](Reader& r, const Place& p, PathSampling& s) {
+       s.step = r.number(p, "m");
+       if (s.step && !(*s.step > 0)) r.error(p, "must be above 0");
+     },
+     [](const PathSampling& s) { return write_if(s.step); }},
+    {"count", Need::optional, "samples at equal distances from end to end",
+     [](Reader& r, const Place& p, PathSampling& s) {
+       s.count = r.integer(p, 2, std::numeric_limits<int>::max());
+     },
+     [](const PathSampling& s) -> Written {
+       if (!s.count) return std::nullopt;
+       return to_node(*s.count);
+     }},
+}};
+
+/// What only the keys together tell.
+void check_path(Reader& reader, const Place& at, const PathSampling& path) {
+  const Node* points = at.node().find("points");
+  const Node* file = at.node().find("file");
+  const Node* step = at.node().find("step");
+  const Node* count = at.node().find("count");
+  if (points && file)
+    reader.error_within(at, file->mark, "file",
+                        "the waypoints are given by 'points' already; keep one");
+  else if (!points && !file && at.node().kind == Node::Kind::map)
+    reader.error(at, "there are no waypoints; give points or file");
+  else if (path.waypoints.size() < 2)
+    reader.error(at, "a path has two waypoints or more");
+  else if ((step || count) &&
+           std::all_of(path.waypoints.begin(), path.waypoints.end(),
+                       [&](const auto& p) { return p == path.waypoints.front(); }))
+    reader.error(at, "has no length: all its waypoints are one");
+  if (step && count)
+    reader.error_within(at, count->mark, "count",
+                        "the samples are given by 'step' already; keep one");
+}
+
 }  // namespace
 
 std::optional<std::variant<VolumeSampling, AdaptiveSampling>> read_volume(
@@ -227,6 +294,18 @@ std::optional<MeshSampling> read_mesh_samples(Reader& reader, const Place& at) {
   check_mesh_size(reader, map ? Place(at, "file", *at.node().find("file")) : at, mesh);
   if (reader.findings.errors() != before) return std::nullopt;
   return MeshSampling{std::move(mesh)};
+}
+
+std::optional<PathSampling> read_path(Reader& reader, const Place& at) {
+  const std::size_t before = reader.findings.errors();
+  PathSampling path;
+  if (at.node().kind == Node::Kind::map)
+    read_map(reader, at, kPathKeys, path);
+  else
+    read_waypoints(reader, at, path);
+  if (reader.findings.errors() == before) check_path(reader, at, path);
+  if (reader.findings.errors() != before) return std::nullopt;
+  return path;
 }
 
 std::optional<double> read_near_value(Reader& reader, const Place& at,
@@ -278,6 +357,10 @@ Node write_volume(const AdaptiveSampling& volume) {
   return write_map(kVolumeKeys, Volume{volume.min, volume.max, {}, volume});
 }
 Node write_plane(const PlaneSampling& plane) { return write_map(kPlaneKeys, plane); }
+Node write_path(const PathSampling& path) {
+  const bool whole = path.file.empty() || path.step || path.count;
+  return whole ? write_map(kPathKeys, path) : to_node(path.file);
+}
 Node write_mesh_samples(const MeshSampling& mesh) {
   if (mesh.surface.scale == 1) return to_node(mesh.surface.file);
   return write_map(kMeshKeys, mesh.surface);

@@ -1,4 +1,4 @@
-// Shapes of samples: the keys of `volume`, `plane` and `mesh`.
+// Shapes of samples: the keys of `volume`, `plane`, `path` and `mesh`.
 #pragma once
 
 #include <optional>
@@ -20,6 +20,8 @@ void check_reach(Reader& reader, const Place& at, const VolumeSampling& volume);
 [[nodiscard]] std::optional<MeshSampling> read_mesh_samples(Reader& reader,
                                                             const Place& at);
 
+[[nodiscard]] std::optional<PathSampling> read_path(Reader& reader, const Place& at);
+
 /// A value of the metric, above 0. @returns nullopt where there is a finding.
 [[nodiscard]] std::optional<double> read_near_value(Reader& reader, const Place& at,
                                                     std::string_view unit);
@@ -28,5 +30,6 @@ void check_reach(Reader& reader, const Place& at, const VolumeSampling& volume);
 [[nodiscard]] Node write_volume(const AdaptiveSampling& volume);
 [[nodiscard]] Node write_mesh_samples(const MeshSampling& mesh);
 [[nodiscard]] Node write_plane(const PlaneSampling& plane);
+[[nodiscard]] Node write_path(const PathSampling& path);
 
 }  // namespace delos

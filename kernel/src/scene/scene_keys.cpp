@@ -7,7 +7,9 @@
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
+#include "scene/clutter_keys.h"
 #include "scene/device_keys.h"
+#include "scene/metric_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/occluder_keys.h"
 #include "scene/rooms.h"
@@ -29,6 +31,7 @@ constexpr int kFormat = 1;
 struct SceneDraft {
   Scene scene;
   Known known;
+  bool metrics_known = true;  ///< its own ones have no findings
 };
 
 void read_format(Reader& reader, const Place& at, SceneDraft&) {
@@ -62,7 +65,7 @@ void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 22> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -105,13 +108,21 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
      [](const SceneDraft& d) -> Written {
        return to_node(to_string(d.scene.covariance));
      }},
+    {"metrics", Need::optional, "metrics by formulas",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       d.metrics_known = read_metrics(r, p, d.known.motion, d.scene);
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.metrics.empty()) return std::nullopt;
+       return write_metrics(d.scene.metrics);
+     }},
     {"metric", Need::optional, "the number that is shown",
      [](Reader& r, const Place& p, SceneDraft& d) {
        auto metric = r.word(p);
        if (!metric) return;
-       const auto known = parse_metric(*metric, covariance_layout(d.scene));
+       const auto known = parse_metric(*metric, known_metrics(d.scene));
        const auto* problem = std::get_if<std::string>(&known);
-       if (problem && d.known.motion) r.error(p, *problem);
+       if (problem && d.known.motion && d.metrics_known) r.error(p, *problem);
        d.scene.metric = std::move(*metric);
      },
      [](const SceneDraft& d) -> Written { return to_node(d.scene.metric); }},
@@ -171,6 +182,14 @@ constexpr std::array<Key<SceneDraft>, 20> kSceneKeys = {{
      [](const SceneDraft& d) -> Written {
        if (d.scene.occluders.empty()) return std::nullopt;
        return write_occluders(d.scene.occluders);
+     }},
+    {"clutter", Need::optional, "what blocks the sight, drawn at random",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_clutter(r, p, d.scene.clutter);
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.clutter.empty()) return std::nullopt;
+       return write_clutter(d.scene.clutter);
      }},
     {"skin", Need::optional,
      "how near to the ends of a sight line nothing hides, metres", read_skin,
@@ -253,7 +272,7 @@ void check_orientations(Reader& reader, const Place& root) {
 void read_near_metric(Reader& reader, const Place& root, SceneDraft& draft) {
   const Node* sample = root.node().find("sample");
   if (!sample || !draft.known.motion) return;
-  const auto metric = parse_metric(draft.scene.metric, covariance_layout(draft.scene));
+  const auto metric = parse_metric(draft.scene.metric, known_metrics(draft.scene));
   if (const auto* known = std::get_if<Metric>(&metric))
     read_near(reader, Place(root, "sample", *sample), known->unit, draft.scene);
 }
@@ -298,7 +317,7 @@ Scene read_scene(Reader& reader, const Node& root) {
 }
 
 Node scene_node(const Scene& scene) {
-  return write_map(kSceneKeys, SceneDraft{scene, {}});
+  return write_map(kSceneKeys, SceneDraft{scene, {}, true});
 }
 
 }  // namespace delos

@@ -15,6 +15,9 @@ SteadyRequest request_for(const System& system, std::span<const Metric> metrics)
     const MetricNeed need = need_of(metric, system.motion.layout);
     request.whole_state |= need == MetricNeed::whole_state;
     request.time_constant |= need == MetricNeed::time_constant;
+    if (need != MetricNeed::time_constant || !metric.expression) continue;
+    // A formula may read all of P∞ besides the closed loop.
+    request.whole_state = true;
   }
   return request;
 }

@@ -26,7 +26,7 @@ struct Spec {
 /// "METRIC <= VALUE", or with <, >= or >; the value with a unit or in SI.
 /// @returns it, or a sentence that says what is wrong and what would be right
 [[nodiscard]] DELOS_API std::variant<Spec, std::string> parse_spec(
-    std::string_view text, const StateLayout& layout);
+    std::string_view text, const KnownMetrics& known);
 
 /// How many samples meet a specification.
 struct SpecShare {

@@ -20,6 +20,7 @@ enum class MetricReads {
   block,        ///< the first of these two that the state has
   whole_state,  ///< all of P∞
   closed_loop,  ///< the poles of A − KH
+  others,       ///< what its formula reads
 };
 
 /// What a metric reads of P∞, b×b on the diagonal: 1×1, 3×3 or n×n.
@@ -58,7 +59,7 @@ struct MetricRow {
 [[nodiscard]] DELOS_API std::span<const MetricRow> metric_table();
 [[nodiscard]] DELOS_API const MetricRow& row_of(MetricKind kind);
 
-/// What must be solved for a metric.
+/// What must be solved for a metric; of a formula, the most that its parts need.
 enum class MetricNeed {
   nothing,        ///< coverage: which devices see the target
   pose_block,     ///< the pose's covariance alone

@@ -11,6 +11,7 @@
 #include "delos/api.h"
 #include "delos/device/beacons.h"
 #include "delos/geometry/occluders.h"
+#include "delos/model/metric.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/plugin/registry.h"
@@ -59,6 +60,7 @@ struct System {
   MotionModel motion;
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
+  std::vector<Metric> own_metrics;  ///< the scene's own, by formulas
   /// Information that every update adds to each coordinate of the pose besides what the
   /// devices measure, or its rate under continuous fusion; 1/m² and 1/rad², ≥ 0.
   double prior = 0;

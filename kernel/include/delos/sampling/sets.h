@@ -37,6 +37,15 @@ struct PointSampling {
   friend bool operator==(const PointSampling&, const PointSampling&) = default;
 };
 
+/// Along the line through waypoints: themselves, or places at equal distances.
+struct PathSampling {
+  std::string file;  ///< what they were read from, as written; empty when inline
+  std::vector<Eigen::Vector3d> waypoints;  ///< metres, two or more
+  std::optional<double> step;  ///< distance along the path, metres, > 0; or …
+  std::optional<int> count;    ///< samples from end to end, ≥ 2
+  friend bool operator==(const PathSampling&, const PathSampling&) = default;
+};
+
 /// The vertices of a mesh that is placed in the world.
 struct MeshSampling {
   MeshShape surface;
@@ -60,7 +69,7 @@ struct AdaptiveSampling {
 /// One named set of sample points.
 struct SampleSet {
   std::string name;  ///< may be empty
-  std::variant<VolumeSampling, PlaneSampling, PointSampling, MeshSampling,
+  std::variant<VolumeSampling, PlaneSampling, PointSampling, PathSampling, MeshSampling,
                AdaptiveSampling>
       shape;
   friend bool operator==(const SampleSet&, const SampleSet&) = default;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "delos/api.h"
+#include "delos/model/metric.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
@@ -19,6 +20,9 @@ struct Definition {
 
 /// The states that a scene's covariance has: of a single reading, those of the pose.
 [[nodiscard]] DELOS_API StateLayout covariance_layout(const Scene& scene);
+
+/// The metrics that a scene can name: those of its states, and its own.
+[[nodiscard]] DELOS_API KnownMetrics known_metrics(const Scene& scene);
 
 /// "a-priori covariance, stacked fusion", "covariance of a single reading"
 [[nodiscard]] DELOS_API std::string to_string(const Definition& definition);

@@ -81,6 +81,19 @@ struct OccluderEntry {
   friend bool operator==(const OccluderEntry&, const OccluderEntry&) = default;
 };
 
+enum class ClutterShape { box, sphere };
+
+/// Bodies drawn at random in the world; see drawn_bodies().
+struct ClutterEntry {
+  std::string name;
+  int count = 0;  ///< ≥ 0
+  int seed = 0;   ///< ≥ 0
+  ClutterShape shape = ClutterShape::box;
+  double least = 0, greatest = 0;  ///< edges or diameters, metres, > 0
+  BoxShape box;                    ///< of the centres
+  friend bool operator==(const ClutterEntry&, const ClutterEntry&) = default;
+};
+
 /// A named body in the world: where a search may put things, or may not.
 struct RegionEntry {
   std::string name;
@@ -199,6 +212,15 @@ struct DeviceEntry {
   friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
 };
 
+/// A metric by a formula.
+struct MetricEntry {
+  std::string name;
+  std::string expression;
+  bool larger_is_better = false;
+  std::string unit;  ///< where the formula leaves it open; else empty
+  friend bool operator==(const MetricEntry&, const MetricEntry&) = default;
+};
+
 /// A whole scene.
 struct Scene {
   std::string name;
@@ -207,6 +229,7 @@ struct Scene {
   std::vector<SampleSet> samples;
   Orientations orientations;
   CovarianceKind covariance = CovarianceKind::prior;
+  std::vector<MetricEntry> metrics;  ///< its own; each may read those before it
   std::string metric = "eigmax";
   /// Points on the target that point devices observe, metres, in the target's frame.
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
@@ -216,6 +239,7 @@ struct Scene {
   std::vector<BeaconSet> beacons;
   std::vector<DeviceEntry> devices;
   std::vector<OccluderEntry> occluders;
+  std::vector<ClutterEntry> clutter;
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a
   /// marker on a body.
   double skin = 1e-3;

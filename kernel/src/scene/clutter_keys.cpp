@@ -1,0 +1,95 @@
+#include "scene/clutter_keys.h"
+
+#include <limits>
+
+#include "document/node_text.h"
+#include "scene/body_keys.h"
+#include "scene/words.h"
+
+namespace delos {
+namespace {
+
+using Written = std::optional<Node>;
+
+/// More would take memory that nobody means to spend.
+constexpr int kMostBodies = 10'000;
+
+constexpr std::pair<const char*, ClutterShape> kClutterShapeWords[] = {
+    {"box", ClutterShape::box}, {"sphere", ClutterShape::sphere}};
+
+void read_size(Reader& reader, const Place& at, ClutterEntry& out) {
+  const char* form = "two lengths [least, greatest]";
+  if (!reader.expect(at, Node::Kind::list, form)) return;
+  const auto& items = at.node().items;
+  if (items.size() != 2) {
+    reader.error(at, std::string("expected ") + form + ", not " +
+                         std::to_string(items.size()) + " members");
+    return;
+  }
+  const Place most(at, "1", items[1]);
+  const auto least = reader.number(Place(at, "0", items[0]), "m"),
+             greatest = reader.number(most, "m");
+  if (!least || !greatest) return;
+  if (!(*least > 0)) reader.error(Place(at, "0", items[0]), "must be above 0");
+  if (*greatest < *least) reader.error(most, "is below the least; exchange them");
+  out.least = *least;
+  out.greatest = *greatest;
+}
+
+constexpr std::array<Key<ClutterEntry>, 5> kClutterKeys = {{
+    {"count", Need::required, "how many bodies are drawn",
+     [](Reader& r, const Place& p, ClutterEntry& c) {
+       if (const auto count = r.integer(p, 0, kMostBodies)) c.count = *count;
+     },
+     [](const ClutterEntry& c) -> Written { return to_node(c.count); }},
+    {"seed", Need::optional, "of the random numbers: another one, another clutter",
+     [](Reader& r, const Place& p, ClutterEntry& c) {
+       if (const auto seed = r.integer(p, 0, std::numeric_limits<int>::max()))
+         c.seed = *seed;
+     },
+     [](const ClutterEntry& c) -> Written { return to_node(c.seed); }},
+    {"shape", Need::optional, "box or sphere",
+     [](Reader& r, const Place& p, ClutterEntry& c) {
+       if (const auto shape = r.choice(p, kClutterShapeWords)) c.shape = *shape;
+     },
+     [](const ClutterEntry& c) -> Written {
+       return to_node(std::string(word_of(kClutterShapeWords, c.shape)));
+     }},
+    {"size", Need::required, "edges of boxes, or diameters, [least, greatest], metres",
+     read_size,
+     [](const ClutterEntry& c) -> Written {
+       return to_node(std::vector<Node>{to_node(c.least), to_node(c.greatest)});
+     }},
+    {"box", Need::required, "where their centres are: its corners min and max",
+     [](Reader& r, const Place& p, ClutterEntry& c) {
+       if (const auto box = read_box(r, p)) c.box = *box;
+     },
+     [](const ClutterEntry& c) -> Written { return write_box(c.box); }},
+}};
+
+}  // namespace
+
+void read_clutter(Reader& reader, const Place& at, std::vector<ClutterEntry>& out) {
+  if (!reader.expect(at, Node::Kind::map, "a mapping of names to what is drawn"))
+    return;
+  const Node& node = at.node();
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    ClutterEntry entry;
+    entry.name = reader.key_name(at, i);
+    if (read_map(reader, Place(at, node.keys[i].text, node.items[i]), kClutterKeys,
+                 entry))
+      out.push_back(std::move(entry));
+  }
+}
+
+Node write_clutter(const std::vector<ClutterEntry>& clutter) {
+  Node map;
+  map.kind = Node::Kind::map;
+  for (const ClutterEntry& entry : clutter) {
+    map.keys.push_back({entry.name, {}});
+    map.items.push_back(write_map(kClutterKeys, entry));
+  }
+  return map;
+}
+
+}  // namespace delos
