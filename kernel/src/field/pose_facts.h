@@ -2,7 +2,7 @@
 #pragma once
 
 #include "delos/layers/layers.h"
-#include "steady/state_metric.h"
+#include "delos/steady/state_metric.h"
 
 namespace delos {
 

@@ -6,7 +6,7 @@
 
 #include "delos/model/metric_expression.h"
 #include "delos/steady/steady_solver.h"
-#include "steady/state_metric.h"
+#include "delos/steady/state_metric.h"
 
 namespace delos {
 
