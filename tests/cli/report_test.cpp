@@ -106,7 +106,9 @@ TEST(Report, ShowsWhatTradeoffFound) {
     EXPECT_NEAR(p["limit"], 4.8 - 0.4 * static_cast<double>(i), 1e-12);
     EXPECT_LE(p["used"].get<double>(), p["limit"].get<double>() + 1e-9);
     EXPECT_EQ(p["kept"], true);
-    if (i > 0) EXPECT_GE(p["objective"], json["points"][i - 1]["objective"]);
+    if (i > 0) {
+      EXPECT_GE(p["objective"], json["points"][i - 1]["objective"]);
+    }
   }
   std::ofstream(folder.path() / "front.json") << front.out;
   ASSERT_EQ(run({"optimize", scene("10-better-speakers"), "--evaluations", "20",

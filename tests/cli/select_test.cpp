@@ -117,7 +117,9 @@ TEST(Select, DrawsTheCurveOverCounts) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(curve[i]["chosen"].size(), 10 + i);
     EXPECT_LE(curve[i]["lower_bound"], curve[i]["value"]);
-    if (i > 0) EXPECT_LE(curve[i]["lower_bound"], curve[i - 1]["lower_bound"]);
+    if (i > 0) {
+      EXPECT_LE(curve[i]["lower_bound"], curve[i - 1]["lower_bound"]);
+    }
   }
   EXPECT_EQ(run(anchors({"--counts", "9"})).code, 2);
 }

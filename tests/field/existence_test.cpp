@@ -81,7 +81,9 @@ TEST(Undriven, IsWhatOneExpectsOfMotions) {
     const UndrivenModes modes = undriven_modes(step);
     EXPECT_EQ(modes.directions.cols(), undriven);
     EXPECT_EQ(modes.on_circle, circle);
-    if (undriven > 0) EXPECT_NEAR(std::abs(modes.directions(3, 0)), 1, 1e-12);
+    if (undriven > 0) {
+      EXPECT_NEAR(std::abs(modes.directions(3, 0)), 1, 1e-12);
+    }
   }
 }
 

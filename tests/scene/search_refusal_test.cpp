@@ -123,7 +123,7 @@ class BadSearch : public testing::TestWithParam<Bad> {};
 TEST_P(BadSearch, IsExplained) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, BadSearch, testing::ValuesIn(bad_searches()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& bad) { return bad.param.name; });
 
 }  // namespace
 }  // namespace delos::test

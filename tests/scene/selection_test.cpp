@@ -246,7 +246,7 @@ std::vector<Bad> bad_selections() {
 class BadSelection : public testing::TestWithParam<Bad> {};
 TEST_P(BadSelection, IsRefusedWithEveryFinding) { expect_refused(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Texts, BadSelection, testing::ValuesIn(bad_selections()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& bad) { return std::string(bad.param.name); });
 
 }  // namespace
 }  // namespace delos::test

@@ -14,22 +14,6 @@
 namespace delos {
 namespace {
 
-/// It holds its corners, so that a query touches no other memory.
-struct Triangle {
-  Corners corners;
-  std::uint32_t piece;
-};
-
-/// Calls visit(triangle) for items of a tree.
-template <class Visit>
-struct Visitor {
-  const std::vector<Triangle>& triangles;
-  const Visit& visit;
-
-  bool operator()(std::uint32_t item) const { return visit(triangles[item]); }
-  void prefetch(std::uint32_t item) const { delos::prefetch(triangles[item]); }
-};
-
 Kernel::Triangle_3 cgal_triangle(const Corners& t) {
   return {cgal_point(t[0]), cgal_point(t[1]), cgal_point(t[2])};
 }
@@ -63,6 +47,22 @@ Crossing crossing(const Kernel::Triangle_3& t, const Kernel::Point_3& from,
 }  // namespace
 
 struct Occluders::Tree {
+  /// It holds its corners, so that a query touches no other memory.
+  struct Triangle {
+    Corners corners;
+    std::uint32_t piece;
+  };
+
+  /// Calls visit(triangle) for items of a tree.
+  template <class Visit>
+  struct Visitor {
+    const std::vector<Triangle>& triangles;
+    const Visit& visit;
+
+    bool operator()(std::uint32_t item) const { return visit(triangles[item]); }
+    void prefetch(std::uint32_t item) const { delos::prefetch(triangles[item]); }
+  };
+
   Tree(const std::vector<TriangleMesh>& parts, const std::vector<char>& hollow);
 
   FlatTree tree;                    // over the triangles
@@ -189,15 +189,16 @@ bool Occluders::blocks(const Point& a, const Point& b, double skin) const {
   const auto segment = shortened(a, b, skin);
   if (!segment) return false;
   bool found = false;
-  tree_->walk_along(*segment, [&](const Triangle&) { return found = true; });
+  tree_->walk_along(*segment, [&](const Tree::Triangle&) { return found = true; });
   return found;
 }
 
 bool Occluders::touches_shaft(const Point& apex, const Box& box) const {
   const Shaft shaft(apex, box);
   bool found = false;
-  tree_->walk(ShaftTest(shaft, tree_->tree.origin()),
-              [&](const Triangle& t) { return found = shaft.may_meet(t.corners); });
+  tree_->walk(ShaftTest(shaft, tree_->tree.origin()), [&](const Tree::Triangle& t) {
+    return found = shaft.may_meet(t.corners);
+  });
   return found;
 }
 
@@ -227,7 +228,7 @@ bool Occluders::hides(const Point& apex, const Box& box, double skin) const {
   const double keep_off = skin * (1 + 1e-9) + margin;
   const Box near = grown(Box(apex, apex), keep_off), far = grown(box, keep_off);
 
-  const auto covers = [&](const Triangle& t) {
+  const auto covers = [&](const Tree::Triangle& t) {
     for (int i = 0; i < 8; ++i) {
       const Segment s{apex, target.corner(static_cast<Box::CornerType>(i))};
       if (tree_->alone[t.piece] ? !meets(t.corners, s)
@@ -240,7 +241,7 @@ bool Occluders::hides(const Point& apex, const Box& box, double skin) const {
 
   bool found = false;
   std::optional<std::uint32_t> refused;  // a body is met where it is entered and left
-  tree_->walk_along({apex, box.center()}, [&](const Triangle& t) {
+  tree_->walk_along({apex, box.center()}, [&](const Tree::Triangle& t) {
     if (t.piece == refused) return false;
     found = covers(t);
     refused = t.piece;
