@@ -306,7 +306,8 @@ int main(int argc, char** argv) {
     return argc == 1 ||
            std::find(argv + 1, argv + argc, std::string(part)) != argv + argc;
   };
-  const Case acoustic = scene_case("10-better-speakers.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
+  const Case acoustic =
+      scene_case("10-better-speakers.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
   const Case cameras =
       scene_case("02-eight-cameras.yaml", box({0, 0, 0}, {0.4, 0.4, 0.8}));
   const Case lab =

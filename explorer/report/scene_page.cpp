@@ -31,13 +31,14 @@ Html headline(const SceneReport& r) {
 Html devices(const SceneReport& r) {
   std::vector<std::vector<Html>> rows;
   for (const DeviceRow& d : r.devices)
-    rows.push_back({d.name, d.type,
-                    (d.on_target ? "on the target, " : "") + coordinates(d.at, 3) + " m",
-                    percent(d.seen), std::to_string(d.lost),
-                    std::isnan(d.mean_rise) ? std::string("undefined")
-                    : std::isfinite(d.mean_rise)
-                        ? (d.mean_rise < 0 ? "−" : "+") + percent(std::abs(d.mean_rise))
-                        : std::string("all is lost")});
+    rows.push_back(
+        {d.name, d.type,
+         (d.on_target ? "on the target, " : "") + coordinates(d.at, 3) + " m",
+         percent(d.seen), std::to_string(d.lost),
+         std::isnan(d.mean_rise) ? std::string("undefined")
+         : std::isfinite(d.mean_rise)
+             ? (d.mean_rise < 0 ? "−" : "+") + percent(std::abs(d.mean_rise))
+             : std::string("all is lost")});
   return table(
       "What each device sees, and what its failure alone would cost: samples that are "
       "no longer observable, and the rise of the mean over those that remain",
@@ -86,10 +87,10 @@ Html blind(const SceneReport& r) {
       rest += region.samples.size();
       continue;
     }
-    rows.push_back(
-        {std::to_string(region.samples.size()),
-         coordinates(region.box.min(), 3) + " to " + coordinates(region.box.max(), 3) + " m",
-         why(region)});
+    rows.push_back({std::to_string(region.samples.size()),
+                    coordinates(region.box.min(), 3) + " to " +
+                        coordinates(region.box.max(), 3) + " m",
+                    why(region)});
   }
   Html all = table(
       "Neighbouring samples that aren't observable, the largest region first. Numbers "

@@ -203,7 +203,8 @@ void FieldCost::solve(std::span<const double> w, bool fractions, double guess,
 
 bool FieldCost::sees(const Turn& turn, std::size_t sample, std::size_t term) const {
   return terms_[term].samples[sample] == 0 ||
-         std::isfinite(state_metric(terms_[term].metric, layout_, turn.state, kind_, {}));
+         std::isfinite(
+             state_metric(terms_[term].metric, layout_, turn.state, kind_, {}));
 }
 
 bool FieldCost::counts(std::size_t sample) const {

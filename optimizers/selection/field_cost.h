@@ -66,7 +66,8 @@ class FieldCost final : public ChoiceCost {
   /// The samples that a choice leaves blind, judged by the guess or not.
   [[nodiscard]] std::vector<std::size_t> blind_samples(std::span<const char> chosen);
   [[nodiscard]] std::size_t samples() const { return samples_; }
-  /// Whether that of some whole choice wasn't solved, so that what was found proves nothing.
+  /// Whether that of some whole choice wasn't solved, so that what was found proves
+  /// nothing.
   [[nodiscard]] bool unsettled() const { return unsettled_; }
 
  private:

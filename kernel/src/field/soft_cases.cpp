@@ -196,7 +196,8 @@ void SoftField::State::sum_adjoints(std::size_t point) {
 bool SoftField::State::adjoint_of(std::size_t point, std::size_t turn,
                                   std::size_t device, StateMatrix& G, double& g) const {
   const double* all = &adjoint[offset(point, turn, 0)];
-  if (std::all_of(all, all + packed(), [](double slope) { return slope == 0; })) return false;
+  if (std::all_of(all, all + packed(), [](double slope) { return slope == 0; }))
+    return false;
   unpack(all, columns, G);
   g = all[seen_at()];
   if (own_case[device] == 0) return true;

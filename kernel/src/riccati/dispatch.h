@@ -6,8 +6,8 @@
 
 namespace delos::riccati {
 
-/// Calls f.template operator()<d>() for the sizes of a pose: two or three coordinates of
-/// place or turn, or six of both; aborts otherwise.
+/// Calls f.template operator()<d>() for the sizes of a pose: two or three coordinates
+/// of place or turn, or six of both; aborts otherwise.
 template <class F>
 decltype(auto) with_coordinates(Eigen::Index d, F&& f) {
   switch (d) {

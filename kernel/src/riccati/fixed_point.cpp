@@ -2,12 +2,14 @@
 //
 // H of 2ʲ cycles grows monotonically to the fixed point, quadratically once the closed
 // loop A forgets. Modes without noise need care:
-//  - constant, measured (a bias): A keeps a one there for ever and nothing is ever added
+//  - constant, measured (a bias): A keeps a one there for ever and nothing is ever
+//  added
 //    to H, whose limit, zero variance, is the right one: the error of a filter that
 //    starts ignorant falls as 1/t. Since a minute noise would look the same at first,
 //    such a map is doubled on for kPatience doublings; what noise could still add after
 //    2^40 cycles is below rounding.
-//  - growing, measured: from a known start H stays zero, yet any error at all would grow
+//  - growing, measured: from a known start H stays zero, yet any error at all would
+//  grow
 //    to a finite variance. A trace of noise, 1e-32 of the rest, finds that solution;
 //    its own effect is as small.
 // Source: Chu, Fan, Lin, Wang (2004), Int. J. Control 77(8), 767–788,

@@ -1,5 +1,5 @@
-// Small linear algebra over the state. Each step is compiled once, here: what Eigen makes
-// of an expression anew wherever it stands costs seconds. No heap.
+// Small linear algebra over the state. Each step is compiled once, here: what Eigen
+// makes of an expression anew wherever it stands costs seconds. No heap.
 #pragma once
 
 #include <complex>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "delos/model/metric_expression.h"
-#include "delos/steady/steady_solver.h"
 #include "delos/steady/state_metric.h"
+#include "delos/steady/steady_solver.h"
 
 namespace delos {
 

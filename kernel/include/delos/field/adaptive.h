@@ -30,9 +30,9 @@ struct AdaptiveOptions {
   std::function<void(const Field&)> on_level;
   /// Points, away from the nodes, at which the error is measured at the end; 0: none.
   int held_back = 2000;
-  /// About how many points the statistics over the volume are from, each evaluated. 0, or
-  /// where that takes more than half of the evaluations that the sampling allows: none,
-  /// and they are over the nodes.
+  /// About how many points the statistics over the volume are from, each evaluated. 0,
+  /// or where that takes more than half of the evaluations that the sampling allows:
+  /// none, and they are over the nodes.
   int spread = 16'000;
   std::uint64_t seed = 1;  ///< of the points
 };
