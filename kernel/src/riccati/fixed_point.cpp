@@ -3,15 +3,13 @@
 // H of 2ʲ cycles grows monotonically to the fixed point, quadratically once the closed
 // loop A forgets. Modes without noise need care:
 //  - constant, measured (a bias): A keeps a one there for ever and nothing is ever
-//  added
-//    to H, whose limit, zero variance, is the right one: the error of a filter that
-//    starts ignorant falls as 1/t. Since a minute noise would look the same at first,
-//    such a map is doubled on for kPatience doublings; what noise could still add after
-//    2^40 cycles is below rounding.
+//    added to H, whose limit, zero variance, is the right one: the error of a filter
+//    that starts ignorant falls as 1/t. Since a minute noise would look the same at
+//    first, such a map is doubled on for kPatience doublings; what noise could still
+//    add after 2^40 cycles is below rounding.
 //  - growing, measured: from a known start H stays zero, yet any error at all would
-//  grow
-//    to a finite variance. A trace of noise, 1e-32 of the rest, finds that solution;
-//    its own effect is as small.
+//    grow to a finite variance. A trace of noise, 1e-32 of the rest, finds that
+//    solution; its own effect is as small.
 // Source: Chu, Fan, Lin, Wang (2004), Int. J. Control 77(8), 767–788,
 //         doi:10.1080/00207170410001714988; convergence in the critical case:
 //         Huang, Lin (2009), SIAM J. Matrix Anal. Appl. 31(2), 227–247,
