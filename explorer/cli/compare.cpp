@@ -207,6 +207,20 @@ void name_apart(const std::vector<std::string>& sides,
   }
 }
 
+/// Long titles are cut: what two names have in common comes last, so that "room
+/// (b.yaml)" against "room (a.yaml)" is "b.yaml − a.yaml, room".
+std::string difference_title(const std::string& first, const std::string& second) {
+  const std::size_t begin = first.rfind(" (");
+  if (begin == std::string::npos || second.rfind(" (") != begin ||
+      first.compare(0, begin, second, 0, begin) != 0 || !first.ends_with(')') ||
+      !second.ends_with(')'))
+    return second + " − " + first;
+  const auto inner = [&](const std::string& name) {
+    return name.substr(begin + 2, name.size() - begin - 3);
+  };
+  return inner(second) + " − " + inner(first) + ", " + first.substr(0, begin);
+}
+
 std::vector<LoadedScene> load_sides(const CompareCommand& command,
                                     PluginRegistry& plugins) {
   std::vector<LoadedScene> scenes;
@@ -301,6 +315,8 @@ int run(const CompareCommand& command) {
   picture.change = true;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     picture.devices = markers_of(scenes[i + 1].scene, scenes[i + 1].system);
+    comparisons[i].difference.scene =
+        difference_title(scenes[0].scene.name, scenes[i + 1].scene.name);
     for (const auto& file : command.out) {
       const std::string problem =
           write_field(comparisons[i].difference, numbered(file, i + 1), picture);

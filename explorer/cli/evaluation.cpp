@@ -78,6 +78,11 @@ std::vector<Samples> level_planes(const Scene& scene) {
   return planes;
 }
 
+bool is_scene(const std::filesystem::path& file) {
+  const std::string suffix = file.extension().string();
+  return suffix == ".yaml" || suffix == ".yml";
+}
+
 std::string drawable(const Scene& scene, const Samples& samples,
                      const std::filesystem::path& file) {
   const AdaptiveSampling* box = adaptive(scene);

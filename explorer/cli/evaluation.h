@@ -26,6 +26,9 @@ struct Evaluation {
 /// Of an adaptive scene, three level planes to draw it on; else none.
 [[nodiscard]] std::vector<Samples> level_planes(const Scene& scene);
 
+/// Whether a file to be written is a scene, by its name.
+[[nodiscard]] bool is_scene(const std::filesystem::path& file);
+
 /// Why `file` can't show these samples; empty where it can. As writable(), but that
 /// octrees are drawn too.
 [[nodiscard]] std::string drawable(const Scene& scene, const Samples& samples,

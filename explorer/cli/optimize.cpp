@@ -23,11 +23,6 @@ struct OptimizeCommand {
   bool explain = false;
 };
 
-bool is_scene(const std::filesystem::path& file) {
-  const std::string suffix = file.extension().string();
-  return suffix == ".yaml" || suffix == ".yml";
-}
-
 /// What can't be written is said before the search.
 void check_outputs(const OptimizeCommand& command, const Scene& scene) {
   const Samples samples = planned_samples(scene);

@@ -7,6 +7,8 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "command.h"
 #include "delos/observe/beacon_use.h"
@@ -14,6 +16,7 @@
 #include "delos/text/format.h"
 #include "json.h"
 #include "lost_directions.h"
+#include "one_more_device.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -37,8 +40,16 @@ StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
   return P;
 }
 
-Json to_json(const PointReport& report, const LoadedScene& loaded,
-             const Eigen::Vector3d& rpy) {
+/// What one more device would do; null: none of those tried would.
+Json to_json(const Mending& mending, const Metric& metric) {
+  if (!mending.best) return {};
+  return {{"like", mending.best->like},           {"type", mending.best->type},
+          {"at", numbers(mending.best->at)},      {"metric", metric.name},
+          {"value", number(mending.best->value)}, {"unit", metric.unit}};
+}
+
+Json to_json(const PointReport& report, const std::optional<Mending>& mending,
+             const LoadedScene& loaded, const Eigen::Vector3d& rpy) {
   const FusedState& state = report.state;
   const auto covariance = [&](const StateMatrix& P) {
     return rows(with_infinities(P, state.unobservable));
@@ -55,6 +66,7 @@ Json to_json(const PointReport& report, const LoadedScene& loaded,
   json["inside"] = report.inside;
   json["observable"] = state.status == RiccatiStatus::converged;
   json["unobservable_directions"] = rows(state.unobservable.transpose());
+  if (mending) json["one_more_device"] = to_json(*mending, loaded.metric);
   json["metrics"] = Json::object();
   for (const MetricValue& m : report.metrics) {
     json["metrics"][m.metric.name] = {{"value", number(m.value)},
@@ -137,7 +149,8 @@ void print_shares(std::ostream& out, const PointReport& report,
   }
 }
 
-void print(std::ostream& out, const PointReport& report, const LoadedScene& loaded) {
+void print(std::ostream& out, const PointReport& report,
+           const std::optional<Mending>& mending, const LoadedScene& loaded) {
   const FusedState& state = report.state;
   out << loaded.scene.name << " at (" << report.pose.p.x() << ", " << report.pose.p.y()
       << ", " << report.pose.p.z() << ") m: "
@@ -149,6 +162,7 @@ void print(std::ostream& out, const PointReport& report, const LoadedScene& load
   if (report.inside) out << "  The point is inside a solid: fields leave it out.\n";
   for (const std::string& line : lost_directions(loaded.system, report))
     out << "  " << line << "\n";
+  if (mending) out << "  " << words_of(*mending, loaded.metric) << "\n";
   out << to_string(Definition{loaded.system.fusion, loaded.system.covariance})
       << ", solver " << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
@@ -175,18 +189,22 @@ int run(const PointCommand& command) {
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   const Eigen::Vector3d at = three_numbers(command.at, "m", "--at");
   const Eigen::Vector3d rpy = three_numbers(command.rpy, "rad", "--rpy");
-  const PointReport report = [&] {
+  const Solver solver = solver_named(command.options.solver);
+  const auto [report, mending] = [&] {
     try {
-      return evaluate_point(loaded.system, {rotation_from_rpy(rpy), at}, loaded.metric,
-                            solver_named(command.options.solver));
+      PointReport point = evaluate_point(loaded.system, {rotation_from_rpy(rpy), at},
+                                         loaded.metric, solver);
+      std::optional<Mending> more =
+          mend_by_one_device(loaded.system, point, rpy, loaded.metric, solver);
+      return std::pair(std::move(point), std::move(more));
     } catch (const std::invalid_argument& error) {
       throw unsolvable(command.options, error);
     }
   }();
   if (command.options.json) {
-    print_document(to_json(report, loaded, rpy));
+    print_document(to_json(report, mending, loaded, rpy));
   } else {
-    print(std::cout, report, loaded);
+    print(std::cout, report, mending, loaded);
   }
   return kDone;
 }

@@ -29,11 +29,6 @@ struct SelectCommand {
   bool remove = false;
 };
 
-bool is_scene(const std::filesystem::path& file) {
-  const std::string suffix = file.extension().string();
-  return suffix == ".yaml" || suffix == ".yml";
-}
-
 /// The best so far and its bound, on a line of stderr.
 class BoundLine {
  public:

@@ -26,7 +26,7 @@ class UwbRange final : public delos::RangeDevice {
       {.name = "growth",
        .initial = 0,
        .lower = 0,
-       .help = "What far tags add to it, per metre of range."},
+       .help = "Standard deviation per metre of range; R = sigma² + (growth z)²."},
       {.name = "reach",
        .unit = "m",
        .initial = 50,

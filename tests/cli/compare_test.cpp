@@ -120,6 +120,29 @@ TEST(CompareCommand, SubtractsTheFirstFromTheSecond) {
   EXPECT_NEAR(both["difference"]["improved_fraction"], better / 2541.0, 1e-12);
 }
 
+/// Titles of pictures are cut where they are long: what differs comes first.
+TEST(CompareCommand, TitlesDifferencesByWhatDiffers) {
+  const Folder folder;
+  const std::string room = R"(delos: 1
+name: Room (north)
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+sample: {points: [[1, 1, 1]]}
+devices: [{name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 2]}]
+)";
+  folder.write("before.yaml", room);
+  folder.write("after.yaml", room);
+  folder.write("other.yaml", std::string(room).replace(room.find("north"), 5, "south"));
+  const auto title = [&](const std::string& first, const std::string& second) {
+    run({"compare", first, second, "--out", "d.json"}, folder.path());
+    return Json::parse(read_file(folder.path() / "d.json"))["scene"];
+  };
+  EXPECT_EQ(title("before.yaml", "after.yaml"),
+            "after.yaml − before.yaml, Room (north)");
+  EXPECT_EQ(title("before.yaml", "other.yaml"), "south − north, Room");
+  EXPECT_EQ(title("before.yaml", "before.yaml+devices.a.at.z=1"),
+            "Room (north) + devices.a.at.z=1 − Room (north)");
+}
+
 /// Seen from the other side nothing is better; against itself nothing changes.
 TEST(CompareCommand, TurnsRoundWithTheOrder) {
   const Json json = run({"compare", scene("03-hybrid"), scene("02-eight-cameras"),

@@ -94,6 +94,26 @@ INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGINT, SIGTERM, SIGHU
                                                        : "HangUp";
                          });
 
+/// A terminal that is closed loses no design, with no study either.
+TEST(InterruptedOptimize, KeepsTheBestAtAHangUp) {
+  const Folder folder;
+  Running program({"optimize", scene("09-camera-room"), "--evaluations", "1000000",
+                   "--threads", "1", "--out", "best.yaml"},
+                  folder.path());
+  const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (program.err().find(" of 1000000 evaluations") == std::string::npos &&
+         std::chrono::steady_clock::now() < last && !program.ended())
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  program.send(SIGHUP);
+  const Finished done = program.wait();
+  EXPECT_EQ(done.code, 3);
+  EXPECT_NE(done.err.find("delos: stopped; this is the best so far\n"),
+            std::string::npos)
+      << done.err;
+  EXPECT_NE(done.out.find("stopped: cancelled"), std::string::npos) << done.out;
+  EXPECT_EQ(run({"check", "best.yaml"}, folder.path()).code, 0);
+}
+
 /// Half a comparison says nothing.
 TEST(InterruptedCompare, WritesNothing) {
   const Folder folder;

@@ -128,10 +128,7 @@ TEST(PointCommand, SaysThatAPointIsInsideASolid) {
   EXPECT_EQ(point("06-furnished-lab", "1.35,1,0.76")["inside"], false);
 }
 
-/// Four anchors and the tag on z = 0: σ_z is ∞ with each of them and without.
-TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
-  const Folder folder;
-  folder.write("flat.yaml", R"(delos: 1
+const std::string kFlat = R"(delos: 1
 motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
 sample: {points: [[0, 0, 0]]}
 devices:
@@ -139,7 +136,12 @@ devices:
   - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 0, 0]}
   - {name: c, type: uwb_range, rate: 10 Hz, at: [5, 5, 0]}
   - {name: d, type: uwb_range, rate: 10 Hz, at: [0, 5, 0]}
-)");
+)";
+
+/// Four anchors and the tag on z = 0: σ_z is ∞ with each of them and without.
+TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
+  const Folder folder;
+  folder.write("flat.yaml", kFlat);
   const std::vector<std::string> at = {"point", "flat.yaml", "--at", "2,1,0"};
   std::vector<std::string> json = at;
   json.push_back("--json");
@@ -180,6 +182,113 @@ devices:
             std::string::npos);
   // Beside the line they span a plane with it, x and z.
   EXPECT_NE(text("2,0,3").find("lie in one plane, y = 0 m"), std::string::npos);
+}
+
+Json one_more(const Folder& folder, const std::string& text, const std::string& at,
+              const std::vector<std::string>& words = {}) {
+  folder.write("room.yaml", text);
+  std::vector<std::string> all = {"point", "room.yaml", "--at", at, "--json"};
+  all.insert(all.end(), words.begin(), words.end());
+  return run(all, folder.path()).json().at("one_more_device");
+}
+
+/// The four in the plane know x and y better than one range knows z: each of their
+/// informations is above 1/σ², so that the best place is where all of the fifth goes
+/// to z, and eigmax is that of a filter of z alone, iterated by itself: σ = 0.1 m,
+/// 10 Hz, q = 0.4 m²/s³. Of √5, √10, √20 and 5 m the upper middle is 4.5.
+TEST(PointCommand, NamesOneMoreDeviceThatWouldMendIt) {
+  const Folder folder;
+  const Json json = one_more(folder, kFlat, "2,1,0");
+  EXPECT_EQ(json["like"], "a");
+  EXPECT_EQ(json["type"], "uwb_range");
+  EXPECT_EQ(json["at"], (Json{2, 1, 4.5}));
+  EXPECT_EQ(json["metric"], "eigmax");
+  EXPECT_EQ(json["unit"], "m");
+  EXPECT_NEAR(json["value"].get<double>(), 0.0939260065772414, 1e-9);
+  const std::string text =
+      run({"point", "room.yaml", "--at", "2,1,0"}, folder.path()).out;
+  EXPECT_NE(text.find("\n  one more uwb_range like a at (2, 1, 4.5) m would mend it: "
+                      "eigmax 93.9 mm\n"),
+            std::string::npos)
+      << text;
+  // Within the plane σ_x gets better still, but z remains lost.
+  EXPECT_EQ(one_more(folder, kFlat, "2,1,0", {"--metric", "sigma_x"})["at"][2], 4.5);
+  // Where nothing is lost there's nothing to mend.
+  EXPECT_FALSE(run({"point", "room.yaml", "--at", "2,1,1", "--json"}, folder.path())
+                   .json()
+                   .contains("one_more_device"));
+}
+
+/// The scene with that device in it gives what was said.
+TEST(PointCommand, KeepsWhatItSaysOfOneMoreDevice) {
+  const Folder folder;
+  std::string text = R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+sample: {points: [[0, 0, 0]]}
+devices:
+  - {name: b, type: pinhole_camera, rate: 20 Hz, at: [4, 0, 2.5], aim: [1, 1, 1], params: {focal: 6 mm, pitch: 5 um, resolution: [1280, 1024]}}
+  - {name: away, type: pinhole_camera, rate: 20 Hz, at: [0, 4, 2.5], aim: [9, 9, 9], params: {focal: 12 mm, pitch: 5 um, resolution: [1280, 1024]}}
+)";
+  const Json more = one_more(folder, text, "1,1,1");
+  // The longer lens is the better one.
+  ASSERT_EQ(more["like"], "away");
+  text +=
+      "  - {name: more, type: pinhole_camera, rate: 20 Hz, at: " + more["at"].dump() +
+      ", aim: [1, 1, 1], params: {focal: 12 mm, pitch: 5 um, resolution: [1280, "
+      "1024]}}\n";
+  folder.write("more.yaml", text);
+  const Json with =
+      run({"point", "more.yaml", "--at", "1,1,1", "--json"}, folder.path()).json();
+  EXPECT_EQ(with["observable"], true);
+  EXPECT_NEAR(
+      with["metrics"]["eigmax"]["value"].get<double>() / more["value"].get<double>(), 1,
+      1e-9);
+}
+
+/// On the line of two anchors y and z are lost, and one range more gives one of them;
+/// beside it only what is across their plane. Of a point that turns ranges say nothing.
+TEST(PointCommand, SaysThatNoSingleDeviceWouldMendIt) {
+  const Folder folder;
+  const std::string line = R"(delos: 1
+motion: {type: position_velocity, q: [0.4, 0.4, 0.4]}
+sample: {points: [[0, 0, 0]]}
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 1]}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 0, 1]}
+)";
+  EXPECT_TRUE(one_more(folder, line, "2,0,1").is_null());
+  const std::string text =
+      run({"point", "room.yaml", "--at", "2,0,1"}, folder.path()).out;
+  EXPECT_NE(text.find("\n  one more uwb_range wouldn't mend it at any of 26 places "
+                      "about 3 m away\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(one_more(folder, line, "2,0,3")["at"][1], 0);
+
+  const std::string turning = R"(delos: 1
+motion: {type: position_velocity, state: pose, q: [0.4, 0.4, 0.4, 0.1, 0.1, 0.1]}
+sample: {points: [[0, 0, 0]]}
+devices:
+  - {name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 1]}
+  - {name: b, type: uwb_range, rate: 10 Hz, at: [5, 0, 2]}
+  - {name: c, type: uwb_range, rate: 10 Hz, at: [0, 5, 3]}
+)";
+  EXPECT_TRUE(one_more(folder, turning, "2,1,1").is_null());
+}
+
+/// A `linear` device reads the same wherever it stands: nothing can be said.
+TEST(PointCommand, AddsNoDeviceThatHasNoPlace) {
+  const Folder folder;
+  folder.write("linear.yaml", R"(delos: 1
+motion: {type: position, q: [0.4, 0.4, 0.4]}
+sample: {points: [[0, 0, 0]]}
+devices:
+  - {name: a, type: linear, rate: 10 Hz, params: {H: [[1, 0, 0]], R: [[1]]}}
+)");
+  const Finished done =
+      run({"point", "linear.yaml", "--at", "0,0,0", "--json"}, folder.path());
+  EXPECT_EQ(done.json()["observable"], false);
+  EXPECT_FALSE(done.json().contains("one_more_device"));
 }
 
 TEST(PointCommand, RefusesPlacesThatAreNone) {

@@ -249,6 +249,7 @@ TEST_F(MeshFile, ThatIsNotThereMayBeMeantOtherwise) {
     return "";
   };
   EXPECT_EQ(said("Quads.obj"), ": no such file; did you mean 'quads.obj'?");
+  EXPECT_EQ(said("meshes\\quads.obj"), ": no such file; folders are separated by '/'");
   EXPECT_EQ(said("no/quads.obj"),
             ": no such file; there is no folder " + (folder_ / "no").string());
 }

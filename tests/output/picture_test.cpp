@@ -158,6 +158,19 @@ TEST(PictureFile, FollowsTheLogarithm) {
     expect_colour(picture.sample(2 * quarter, 9, 2, 5), kViridis[quarter]);
 }
 
+// Between 1 device and 3 there aren't 2: the edge is hard, halfway between samples 4
+// and 5 of 0 … 8.
+TEST(PictureFile, BlendsNoCounts) {
+  Field field = ramp();
+  for (std::size_t i = 0; i < field.value.size(); ++i)
+    field.value[i] = field.samples.points[i].x() < 0.6 ? 1 : 3;
+  Picture picture(field);
+  picture.find_plot();
+  const int edge = picture.left + (picture.right - picture.left) * 9 / 16;
+  expect_colour(picture.at(edge - 3, picture.top + 20), kViridis[4]);
+  expect_colour(picture.at(edge + 4, picture.top + 20), kViridis[0]);
+}
+
 TEST(PictureFile, HatchesBlindCellsInGrey) {
   Field field = ramp();
   for (std::size_t i = 0; i < field.value.size(); ++i) {

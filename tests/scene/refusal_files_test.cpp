@@ -56,11 +56,34 @@ TEST(RefusalOfPointFiles, SaysWhatSemicolonsAre) {
             (std::vector<std::string>{
                 "a.csv:1:3: error: expected three numbers x,y,z, found 2" + hint,
                 "a.csv:2:1: error: expected three numbers x,y,z, found 1" + hint}));
-  const auto wide = findings_of_file("a.csv", std::string("\xFF\xFE"
-                                                          "1\0,\0",
-                                                          6));
-  ASSERT_EQ(wide.size(), 1u);
-  EXPECT_TRUE(wide[0].ends_with("a.csv' is UTF-16; save it as UTF-8")) << wide[0];
+  // With a mark of the order of bytes, and in both orders without.
+  for (const std::string& bytes :
+       {std::string("\xFF\xFE"
+                    "1\0,\0",
+                    6),
+        std::string("1\0,\0", 4), std::string("\0001\0,", 4)}) {
+    const auto wide = findings_of_file("a.csv", bytes);
+    ASSERT_EQ(wide.size(), 1u);
+    EXPECT_TRUE(wide[0].ends_with("a.csv' is UTF-16; save it as UTF-8")) << wide[0];
+  }
+}
+
+TEST(RefusalOfPointFiles, SaysHowDecimalsAreWritten) {
+  const auto hint = [](const std::string& between) {
+    return "; separate numbers by '" + between + "' and write decimals with a point";
+  };
+  EXPECT_EQ(
+      findings_of_file("a.csv", "0,1 0,2 0,3\n\"0,1\",\"0,2\",\"0,3\"\n1,2,3,4\n"),
+      (std::vector<std::string>{
+          "a.csv:1:11: error: expected three numbers x,y,z, found 4" + hint(","),
+          "a.csv:2:10: error: expected three numbers x,y,z, found 6" + hint(","),
+          "a.csv:3:7: error: expected three numbers x,y,z, found 4"}));
+  EXPECT_EQ(
+      findings_of_file("a.ptl", "0,1 0,2 0,3\n0,1,2\n"),
+      (std::vector<std::string>{
+          "a.ptl:1:1: error: '0,1' isn't a number; rows are x y z in metres" +
+              hint(" "),
+          "a.ptl:2:1: error: expected three numbers x y z, found 1" + hint(" ")}));
 }
 
 TEST(RefusalOfPointFiles, StopsWhereTheFileIsOfAnotherKind) {

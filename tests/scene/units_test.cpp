@@ -85,6 +85,8 @@ struct BadQuantity {
 
 const BadQuantity kBadQuantities[] = {
     {"8'2\"", "m", "'8'2\"' mixes feet and inches; write one of them, such as '98 in'"},
+    {"8.5'", "m", "'8.5'' isn't a length; write '8.5 ft'"},
+    {"8\"", "m", "'8\"' isn't a length; write '8 in'"},
     {"1200 px", "m",
      "'1200 px' is a number of pixels; expected a length such as '50 mm'; a focal "
      "length in pixels times the pitch is one in metres"},

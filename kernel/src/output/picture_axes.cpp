@@ -48,7 +48,9 @@ ScaleText axis_text(Canvas& canvas, const Slice& slice, const PictureFrame& fram
 
 ScaleText bar_text(const ColourScale& scale, const std::string& metric,
                    const std::string& unit, const DisplayUnit& shown, double pixels) {
-  const int wanted = static_cast<int>(pixels / 45);
+  int wanted = static_cast<int>(pixels / 45);
+  if (scale.counts)
+    wanted = static_cast<int>(std::min<double>(wanted, scale.high - scale.low));
   const std::string name = one_line(metric);
   if (scale.log10 && !scale.flat())
     return {log_ticks(scale.low, scale.high, wanted, unit), name + ", log scale"};

@@ -36,11 +36,18 @@ ColourScale make_scale(const Slice& slice, const PictureOptions& options) {
   const double size = std::max(std::abs(scale.low), std::abs(scale.high));
   if (scale.high - scale.low <= 1e-12 * size) scale.high = scale.low;
   // No change is in the middle.
-  if (scale.change && size > 0) scale = {-size, size, false, scale.bright_high, true};
+  if (scale.change && size > 0) {
+    scale.low = -size;
+    scale.high = size;
+  }
+  scale.counts = std::all_of(slice.value.begin(), slice.value.end(), [](double value) {
+    return !std::isfinite(value) || value == std::round(value);
+  });
   return scale;
 }
 
-ShadedSlice::ShadedSlice(const Slice& slice, const ColourScale& scale) : slice_(slice) {
+ShadedSlice::ShadedSlice(const Slice& slice, const ColourScale& scale)
+    : slice_(slice), counts_(scale.counts) {
   position_.reserve(slice.value.size());
   for (const double value : slice.value) {
     position_.push_back(std::isfinite(value)
@@ -58,6 +65,7 @@ Shade ShadedSlice::at(double column, double row) const {
   if (slice_.solid[own] != 0) return {Fill::solid, 0};
   if (std::isnan(position_[own]))
     return {slice_.reached[own] != 0 ? Fill::blind : Fill::unreached, 0};
+  if (counts_) return {Fill::colour, position_[own]};
 
   const int left = std::clamp(static_cast<int>(std::floor(column)), 0, columns - 1);
   const int below = std::clamp(static_cast<int>(std::floor(row)), 0, rows - 1);

@@ -14,6 +14,7 @@ struct ColourScale {
   double low = 0, high = 0;  ///< SI; equal where all values are
   bool log10 = false;        ///< positions follow log10 of the value
   bool bright_high = false;  ///< the bright end is `high`, else `low`
+  bool counts = false;       ///< whole numbers alone: nothing is between them
   bool change = false;       ///< from blue over white to red; blue where bright
 
   [[nodiscard]] bool flat() const { return !(high > low); }
@@ -46,12 +47,14 @@ class ShadedSlice {
 
   /// The cell that a spot lies in decides whether it is blind, since visibility has
   /// hard edges. Inside the finite region positions are bilinear between the samples;
-  /// samples that are blind hand their weight to the others.
+  /// samples that are blind hand their weight to the others. Counts are those of the
+  /// cell.
   /// @param column,row in samples: 0 is the first one's centre
   [[nodiscard]] Shade at(double column, double row) const;
 
  private:
   const Slice& slice_;
+  bool counts_;
   std::vector<double> position_;  ///< NaN where not finite
 };
 

@@ -86,6 +86,17 @@ std::string expected(const RowForm& form, const char* between) {
   return text;
 }
 
+/// What to do where commas seem to stand for decimal points: quoted numbers and blanks
+/// within cells, or commas where blanks separate.
+std::string about_decimal_commas(const std::vector<Cell>& cells, const char* between) {
+  const bool csv = *between == ',';
+  for (const Cell& cell : cells)
+    if (cell.text.find_first_of(csv ? "\" \t" : ",") != std::string_view::npos)
+      return std::string("; separate numbers by '") + between +
+             "' and write decimals with a point";
+  return "";
+}
+
 /// A row's numbers; empty, with a finding, where the row is malformed.
 /// @param semicolon whether one ended the row, which other programs separate by
 std::vector<double> read_row(const std::vector<Cell>& cells, const RowForm& form,
@@ -100,7 +111,7 @@ std::vector<double> read_row(const std::vector<Cell>& cells, const RowForm& form
             std::to_string(cells.size()) +
             (semicolon ? "; ';' begins a comment: separate numbers by '" +
                              std::string(between) + "' and write decimals with a point"
-                       : ""));
+                       : about_decimal_commas(cells, between)));
     return {};
   }
   std::vector<double> row;
@@ -112,12 +123,13 @@ std::vector<double> read_row(const std::vector<Cell>& cells, const RowForm& form
       continue;
     }
     at.column = cell.column;
-    findings.error(at, {},
-                   !number.problem.empty()
-                       ? number.problem
-                       : '\'' + std::string(cell.text) + "' isn't a number; rows are " +
-                             columns_text(form, lengths.front(), between) +
-                             " in metres");
+    findings.error(
+        at, {},
+        !number.problem.empty()
+            ? number.problem
+            : '\'' + std::string(cell.text) + "' isn't a number; rows are " +
+                  columns_text(form, lengths.front(), between) + " in metres" +
+                  (*between == ',' ? "" : about_decimal_commas({cell}, between)));
     return {};
   }
   return row;
@@ -179,7 +191,9 @@ std::optional<std::vector<std::vector<double>>> read_row_file(
     reader.error(at, "there is no readable file '" + path.string() + "': " + why);
     return std::nullopt;
   }
-  if (text->starts_with("\xFF\xFE") || text->starts_with("\xFE\xFF")) {
+  // Every other byte of what is written in ASCII is 0.
+  if (text->starts_with("\xFF\xFE") || text->starts_with("\xFE\xFF") ||
+      text->substr(0, 2).find('\0') != std::string::npos) {
     reader.error(at, "the file '" + path.string() + "' is UTF-16; save it as UTF-8");
     return std::nullopt;
   }

@@ -64,6 +64,11 @@ std::variant<double, std::string> parse_quantity(std::string_view text,
   const std::string_view unit_text = trimmed(text.substr(number.length));
   if (unit_text.empty()) return number.value;
 
+  // To UDUNITS they are minutes and seconds of arc.
+  if (si_unit == "m" && (unit_text == "'" || unit_text == "\""))
+    return quoted + " isn't a length; write '" +
+           std::string(text.substr(0, number.length)) +
+           (unit_text == "'" ? " ft'" : " in'");
   if (si_unit == "m" && unit_text.front() == '\'')
     return quoted + " mixes feet and inches; write one of them, such as '98 in'";
 

@@ -195,6 +195,9 @@ void check(const std::filesystem::path& file, const Soup& soup) {
 
 /// What may have been meant by the name of a file that isn't there.
 std::string meant(const std::filesystem::path& file) {
+  std::string slashes = file.string();
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  if (slashes != file.string()) return "; folders are separated by '/'";
   const std::filesystem::path folder =
       file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   std::error_code failed;
