@@ -36,11 +36,11 @@ class PoseViews {
 
  private:
   void see_any_span(const PlacedDevice& placed);
-  void descend(const PlacedDevice& placed, std::uint32_t node, bool in_view,
+  void descend(const PlacedDevice& placed, std::uint32_t at, bool in_view,
                Sight sight);
   [[nodiscard]] View view_of(const PlacedDevice& placed,
                              const PoseTrees::Node& node) const;
-  [[nodiscard]] Sight sight_of(const PlacedDevice& placed, std::uint32_t node);
+  [[nodiscard]] Sight sight_of(const PlacedDevice& placed, std::uint32_t at);
   void see_block(const PlacedDevice& placed, const PoseTrees::Node& node, bool in_view,
                  Sight sight);
   [[nodiscard]] std::uint64_t in_view(const PlacedDevice& placed,
