@@ -145,7 +145,8 @@ TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
   const std::vector<std::string> at = {"point", "flat.yaml", "--at", "2,1,0"};
   std::vector<std::string> json = at;
   json.push_back("--json");
-  for (const Json& device : run(json, folder.path()).json()["devices"]) {
+  const Json report = run(json, folder.path()).json();
+  for (const Json& device : report["devices"]) {
     EXPECT_TRUE(device["visible"]);
     EXPECT_TRUE(device["share"].is_null());
   }

@@ -222,7 +222,8 @@ TEST(Study, KeepsDropsForbidsAndInjects) {
   study.act("forbid", "{cylinder: {radius: 0.2, height: 3}, at: [0.5, 0.5, 0]}");
   study.act("forbid", "forbidden1");
   EXPECT_EQ(names(), (Names{"spacing_1", "forbidden1", "forbidden2"}));
-  const auto& again = std::get<KeepInside>(study.scene().constraints.back().what);
+  const Scene now = study.scene();
+  const auto& again = std::get<KeepInside>(now.constraints.back().what);
   EXPECT_EQ(again.region, "forbidden1");
   EXPECT_TRUE(again.outside);
   EXPECT_EQ(again.devices.size(), 4u);
