@@ -20,14 +20,19 @@ CoverProblem problem_of(const CoverCore& core) {
   return p;
 }
 
+/// Small enough to be enumerated; demands, costs and groups in all combinations.
+CoverProblem small_cover(std::uint64_t seed) {
+  Variety variety{.samples = 7, .candidates = 12, .density = 0.55};
+  variety.most_demand = 1 + static_cast<int>(seed % 3);
+  variety.costs = seed % 2 == 0;
+  variety.groups = seed % 5 < 2;
+  return random_cover(variety, seed);
+}
+
 TEST(Reduction, KeepsTheOptimum) {
   int smaller = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    Variety variety{.samples = 7, .candidates = 12, .density = 0.55};
-    variety.most_demand = 1 + static_cast<int>(seed % 3);
-    variety.costs = seed % 2 == 0;
-    variety.groups = seed % 5 < 2;
-    const CoverProblem problem = random_cover(variety, seed);
+    const CoverProblem problem = small_cover(seed);
     const double optimum = enumerated(problem);
     if (optimum > 1e300) continue;
     const CoverCore core = reduced(core_of(problem));
@@ -42,11 +47,7 @@ TEST(Reduction, KeepsTheOptimum) {
 TEST(Reduction, KeepsTheOptimumUnfinished) {
   int unfinished = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    Variety variety{.samples = 7, .candidates = 12, .density = 0.55};
-    variety.most_demand = 1 + static_cast<int>(seed % 3);
-    variety.costs = seed % 2 == 0;
-    variety.groups = seed % 5 < 2;
-    const CoverProblem problem = random_cover(variety, seed);
+    const CoverProblem problem = small_cover(seed);
     const double optimum = enumerated(problem);
     if (optimum > 1e300) continue;
     const int end = reduced(core_of(problem)).candidates();
