@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <regex>
 
 #include "command.h"
 #include "delos/model/metric_expression.h"
@@ -41,9 +40,20 @@ struct Side {
 /// A '+' begins a change where a path and '=' follow; other ones belong to a value or a
 /// file's name.
 Side side_of(const std::string& text) {
-  static const std::regex change(R"(\+(?=[A-Za-z_][\w.]*=))");
-  std::vector<std::string> parts(
-      std::sregex_token_iterator(text.begin(), text.end(), change, -1), {});
+  constexpr std::string_view kDigits = "0123456789.";
+  constexpr std::string_view kPath =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZ_abcdefghijklmnopqrstuvwxyz0123456789.";
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t end = text.find_first_not_of(kPath, i + 1);
+    const bool change = text[i] == '+' && end != std::string::npos && end > i + 1 &&
+                        text[end] == '=' &&
+                        kDigits.find(text[i + 1]) == std::string_view::npos;
+    if (change)
+      parts.emplace_back();
+    else
+      parts.back() += text[i];
+  }
   return {parts.front(), {parts.begin() + 1, parts.end()}};
 }
 

@@ -1,10 +1,10 @@
 #include "lost_directions.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
+#include "delos/model/symmetric.h"
 #include "delos/text/format.h"
 
 namespace delos::cli {
@@ -79,12 +79,12 @@ std::vector<std::string> lost_directions(const System& system,
 
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& arm : arms) spread += arm * arm.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  const double least = kInLine * kInLine * axes.eigenvalues()(2);
-  const bool line = axes.eigenvalues()(1) < least,
-             plane = !line && axes.eigenvalues()(0) < least;
-  const Eigen::Vector3d along = axes.eigenvectors().col(2),
-                        normal = axes.eigenvectors().col(0);
+  const SymmetricEigen axes = symmetric_eigen(spread);
+  const double least = kInLine * kInLine * axes.values(2);
+  const bool line = axes.values(1) < least,
+             plane = !line && axes.values(0) < least;
+  const Eigen::Vector3d along = axes.vectors.col(2),
+                        normal = axes.vectors.col(0);
   const std::string who =
       "the point and " +
       (arms.size() == 2 ? std::string("both") : "all " + std::to_string(arms.size())) +

@@ -136,9 +136,11 @@ int run(SelectCommand& command) {
   if (!command.envelope.empty())
     refusable([&] { write_envelope(command, loaded.scene, plugins); });
   if (!command.counts.empty()) {
-    const auto [from, to] = counts_of(command.counts);
-    const CountCurve curve = refusable(
-        [&] { return count_curve(loaded.scene, plugins, command.search, from, to); });
+    const auto counts = counts_of(command.counts);
+    const CountCurve curve = refusable([&] {
+      return count_curve(loaded.scene, plugins, command.search, counts.first,
+                         counts.second);
+    });
     line.clear();
     show(command, curve_json(curve), [&] { print_curve(std::cout, curve); });
     return interrupt.requested() ? kCancelled : kDone;

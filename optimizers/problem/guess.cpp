@@ -1,10 +1,10 @@
 #include "problem/guess.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "delos/field/evaluate.h"
+#include "delos/model/symmetric.h"
 
 namespace delos {
 
@@ -32,9 +32,7 @@ double typical_guess(const System& system, const Samples& samples,
             S(r, c) = S(c, r) =
                 block.layers[i * stride + static_cast<std::size_t>(
                                               packed_index(r, c) * kLanes + lane)];
-        const double largest =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S, Eigen::EigenvaluesOnly)
-                .eigenvalues()(2);
+        const double largest = symmetric_eigenvalues(S)(2);
         if (largest > 0) known.push_back(largest);
       }
     }

@@ -23,7 +23,7 @@ class SeesNothing final : public Device {
 };
 
 /// What a sample costs, in units of the guess, where no guess can help.
-constexpr double kBlindCost = 1e3;
+constexpr double kBlindPenalty = 1e3;
 
 /// How much of what is known at a pose is the guess, squared:
 ///
@@ -175,7 +175,7 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
     const bool fraction = t.term.reduction == Reduction::fraction;
     const Metric& metric = metrics[t.metric].metric;
     const bool ends_at_0 = t.sign < 0 && !metric.expression;
-    const double blind = fraction ? kInfinity : ends_at_0 ? 0 : kBlindCost * guess;
+    const double blind = fraction ? kInfinity : ends_at_0 ? 0 : kBlindPenalty * guess;
     costs = values[t.metric];
     for (double& c : costs) c = std::isfinite(c) ? t.sign * c : blind;
     // With the guess in it such a metric may look good where nobody sees.
@@ -186,7 +186,7 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
     if (lures)
       for (std::size_t i = 0; i < costs.size(); ++i) {
         const double share = share_at(i).value;
-        costs[i] += kBlindCost * guess * (std::isfinite(share) ? share : 1);
+        costs[i] += kBlindPenalty * guess * (std::isfinite(share) ? share : 1);
       }
     of_term.resize(slopes ? costs.size() : 0);
     ObjectiveTerm term = t.term;
@@ -198,7 +198,7 @@ double Problem::State::objective(const FieldValues& values, std::optional<double
         (*slopes)[t.metric][i] += term.weight * t.sign * of_term[i];
       if (lures && std::isfinite(values[*sight_metric][i]))
         (*slopes)[*sight_metric][i] +=
-            term.weight * of_term[i] * kBlindCost * guess * share_at(i).slope;
+            term.weight * of_term[i] * kBlindPenalty * guess * share_at(i).slope;
     }
   }
   return sum;

@@ -69,8 +69,9 @@ const InformationLayers& Problem::State::layers(World& world, bool with_guess) {
 FieldValues Problem::State::hard_values(World& world, bool with_guess,
                                         std::optional<std::size_t> missing) {
   FieldValues all;
-  for (const auto& [metric, plain] : metrics) {
-    const bool with = with_guess && !plain && metric.kind != MetricKind::coverage;
+  for (const AskedMetric& asked : metrics) {
+    const Metric& metric = asked.metric;
+    const bool with = with_guess && !asked.plain && metric.kind != MetricKind::coverage;
     const InformationLayers& whole = layers(world, with);
     const auto field = [&](const InformationLayers& known) {
       return evaluate_field(known, samples.samples, scene().orientations, metric,

@@ -11,9 +11,9 @@ namespace delos {
 namespace {
 
 /// Rounding of sums over samples may lift a bound by so much, relatively.
-constexpr double kRounding = 1e-10;
+constexpr double kLevelRounding = 1e-10;
 /// Stages of sharpness where f has kinks; smooth costs don't notice.
-constexpr double kSharpness[] = {30, 150, 800};
+constexpr double kSharpnesses[] = {30, 150, 800};
 
 double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -44,7 +44,7 @@ class ConvexDescent {
       std::vector<double> w(n);
       for (std::size_t i = 0; i < n; ++i) w[i] = (1 - mix) * start[i] + mix * even[i];
       polytope_.project(w);
-      if (evaluate(w, tangent_, kSharpness[0])) {
+      if (evaluate(w, tangent_, kSharpnesses[0])) {
         w_ = std::move(w);
         return true;
       }
@@ -110,7 +110,7 @@ class ConvexDescent {
     ChoicePolytope::LinearBound linear = polytope_.linear_bound(out.slope);
     const double at = dot(out.slope, w);
     const double bound = out.level + linear.value - at -
-                         kRounding * (std::abs(out.level) + std::abs(at));
+                         kLevelRounding * (std::abs(out.level) + std::abs(at));
     if (bound > best.bound) {
       best.bound = bound;
       best.linear = std::move(linear);
@@ -152,7 +152,7 @@ Relaxation relax(ChoiceCost& cost, const ChoicePolytope& polytope,
     search.best.bound = is_blind(cost.value(all)) ? kInfinity : 0;
     return search.best;
   }
-  for (const double sharpness : kSharpness) {
+  for (const double sharpness : kSharpnesses) {
     if (search.satisfied()) break;
     search.descend(sharpness);
   }

@@ -12,7 +12,7 @@
 namespace delos {
 namespace {
 
-constexpr const char* kTables =
+constexpr const char* kSelectionTables =
     "CREATE TABLE selection (scene TEXT, samples INTEGER, seed INTEGER);"
     "CREATE TABLE selection_state (best TEXT, cost REAL, closed REAL, nodes INTEGER,"
     " root_w BLOB, root_value REAL, root_bound REAL, if_in BLOB, if_out BLOB,"
@@ -96,18 +96,19 @@ bool is_possible(const BranchState& state, const ChoiceRules& rules,
                  const std::vector<Decision>& decisions) {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   const std::size_t n = rules.size();
-  const auto& [best, closed, nodes, open, root] = state;
-  if (best.chosen.size() != n || !rules.allow(best.chosen) || !(closed >= 0) ||
+  const std::vector<char>& chosen = state.best.chosen;
+  if (chosen.size() != n || !rules.allow(chosen) || !(state.closed >= 0) ||
       !keeps(decisions, [&](std::size_t i) {
-        return (best.chosen[i] != 0) != (decisions[i] == Decision::in);
+        return (chosen[i] != 0) != (decisions[i] == Decision::in);
       }))
     return false;
+  const Relaxation& root = state.root;
   if (!are_numbers(root.w, n, 1) || !are_numbers(root.linear.if_in, n, kAny) ||
       !are_numbers(root.linear.if_out, n, kAny) || !(root.bound >= 0))
     return false;
-  return std::all_of(open.begin(), open.end(), [&](const BranchNode& node) {
+  return std::all_of(state.open.begin(), state.open.end(), [&](const BranchNode& node) {
     return node.decisions.size() == n && are_numbers(node.w, n, 1) && node.bound >= 0 &&
-           node.number < nodes && keeps(decisions, [&](std::size_t i) {
+           node.number < state.nodes && keeps(decisions, [&](std::size_t i) {
              return node.decisions[i] != decisions[i];
            });
   });
@@ -129,7 +130,7 @@ SelectionFile::SelectionFile(const std::filesystem::path& file,
     {
       const Database database(unborn, true);
       database.run("BEGIN IMMEDIATE");
-      database.run(kTables);
+      database.run(kSelectionTables);
       database.prepare("INSERT INTO selection VALUES (?, ?, ?)")
           .bind(1, key.scene)
           .bind(2, static_cast<std::int64_t>(key.samples))

@@ -23,7 +23,7 @@
 namespace delos {
 namespace {
 
-constexpr const char* kTables = R"(
+constexpr const char* kStudyTables = R"(
 CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE rounds (
   number INTEGER PRIMARY KEY, scene TEXT NOT NULL, locked TEXT NOT NULL,
@@ -230,7 +230,7 @@ Study Study::create(const std::filesystem::path& file, const Scene& scene,
   {
     State state(unborn, true, plugins);
     state.database.run("BEGIN IMMEDIATE");
-    state.database.run(kTables);
+    state.database.run(kStudyTables);
     state.set_fact("format", kFormat);
     // A scene in the current folder has "" for its own.
     state.set_fact("folder", std::filesystem::absolute(folder.empty() ? "." : folder)

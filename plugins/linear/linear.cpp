@@ -5,9 +5,9 @@
 // x is the whole state in the order of the motion model, z has m readings, H is m×n and
 // R m×m. Source: Kalman (1960), J. Basic Engineering 82(1), 35–45,
 // doi:10.1115/1.3662552.
+#include <delos/model/symmetric.h>
 #include <delos/plugin.h>
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -30,9 +30,7 @@ void check_covariance(const Eigen::MatrixXd& R) {
     }
   }
   // A singular R is a perfect reading; rounding may turn its 0 into a little less.
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(R, Eigen::EigenvaluesOnly)
-          .eigenvalues();
+  const delos::StateVector values = delos::symmetric_eigenvalues(R);
   const double rounding =
       R.rows() * std::numeric_limits<double>::epsilon() * values.cwiseAbs().maxCoeff();
   if (values(0) < -rounding) {

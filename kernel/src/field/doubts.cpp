@@ -282,7 +282,9 @@ void doubt_bodies(Doubted& in, const std::vector<TargetPose>& all) {
         return in.system.in_world.contains(p);
       });
   if (!some) return;
-  for (const auto& [i, body] : world_bodies(in)) {
+  for (const auto& numbered : world_bodies(in)) {
+    const auto& [i, placed] = numbered;
+    const Occluders& body = placed;  // a lambda can't capture what is bound
     const bool samples = std::all_of(all.begin(), all.end(), [&](const TargetPose& at) {
       return body.contains(at.p);
     });

@@ -1,13 +1,14 @@
 #include "observe/whiten.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "delos/model/symmetric.h"
 
 namespace delos {
 
 IndependentNoise independent_noise(const decltype(Observation::R)& R) {
-  const Eigen::SelfAdjointEigenSolver<decltype(Observation::R)> split(R);
-  IndependentNoise noise{split.eigenvectors(), split.eigenvalues()};
+  const SymmetricEigen split = symmetric_eigen(R);
+  IndependentNoise noise{split.vectors, split.values};
   const double largest = noise.variance(noise.variance.size() - 1);
   const double floor = std::max(
       std::numeric_limits<double>::min(),

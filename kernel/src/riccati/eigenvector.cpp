@@ -1,5 +1,6 @@
 // The papers' own method: eigenvectors of the symplectic matrix Ψ.
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
@@ -15,6 +16,7 @@ namespace delos {
 namespace {
 
 using namespace riccati;
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
 /// Ψ = [A + Q A⁻ᵀ S, Q A⁻ᵀ; A⁻ᵀ S, A⁻ᵀ]: takes [B; C] with P = B C⁻¹ to the next
@@ -29,28 +31,20 @@ MatrixXd symplectic(const CycleStep& step) {
   return psi;
 }
 
-/// Real basis of the n eigenvectors with the largest |eigenvalue|.
-MatrixXd dominant_vectors(const MatrixXd& psi) {
+/// The n eigenvectors with the largest |eigenvalue|.
+MatrixXcd dominant_vectors(const MatrixXd& psi) {
   const Eigen::Index n = psi.rows() / 2;
-  const Eigen::EigenSolver<MatrixXd> eigen(psi);
+  const Eigen::ComplexEigenSolver<MatrixXcd> eigen(psi.cast<std::complex<double>>());
   const auto& mu = eigen.eigenvalues();
   std::vector<Eigen::Index> order(2 * n);
   std::iota(order.begin(), order.end(), 0);
-  // Both of a conjugate pair have the same modulus: stable sorting keeps them together.
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return std::abs(mu[a]) > std::abs(mu[b]);
   });
-  const Eigen::MatrixXcd vectors = eigen.eigenvectors();
-  MatrixXd basis(2 * n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    // The real part of one and the imaginary part of the other span a conjugate pair.
-    const auto v = vectors.col(order[i]);
-    if (mu[order[i]].imag() < 0)
-      basis.col(i) = v.imag();
-    else
-      basis.col(i) = v.real();
-  }
-  return basis;
+  MatrixXcd vectors(2 * n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    vectors.col(i) = eigen.eigenvectors().col(order[i]);
+  return vectors;
 }
 
 }  // namespace
@@ -73,10 +67,12 @@ SteadyState solve_eigenvector(std::span<const CycleStep> steps) {
   if (n > 0) {
     MatrixXd psi = MatrixXd::Zero(2 * n, 2 * n);
     for (const CycleStep& step : left) psi += symplectic(quotient(step, V, V));
-    const MatrixXd basis = dominant_vectors(psi);
-    // P = B C⁻¹, as Pᵀ = C⁻ᵀ Bᵀ.
-    P = symmetric(
-        solved(basis.bottomRows(n).transpose(), basis.topRows(n).transpose()));
+    const MatrixXcd vectors = dominant_vectors(psi);
+    // P = B C⁻¹, as Pᵀ = C⁻ᵀ Bᵀ: real, though the vectors come in conjugate pairs.
+    const MatrixXcd Bt = vectors.topRows(n).transpose();
+    const MatrixXcd Ct = vectors.bottomRows(n).transpose();
+    const MatrixXcd Pt = Eigen::PartialPivLU<MatrixXcd>(Ct).solve(Bt);
+    P = symmetric(Pt.real());
   }
 
   SteadyState state;

@@ -30,7 +30,7 @@ UndrivenModes undriven_modes(const MotionStep& motion) {
   if (W.cols() == 0) return modes;
   constexpr double kOnTheCircle = 1e-10;  // as near as eigenvalues are computed
   const StateMatrix within = W.transpose() * A.transpose() * W;
-  for (const std::complex<double> mu : within.eigenvalues())
+  for (const std::complex<double> mu : riccati::eigenvalues(within))
     modes.on_circle = modes.on_circle || std::abs(std::abs(mu) - 1) < kOnTheCircle;
   return modes;
 }

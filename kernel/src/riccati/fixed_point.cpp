@@ -37,7 +37,8 @@ Outcome double_up(BasicUpdateMap<Matrix>& map, int& doublings, int patience) {
     const double size = twice.A.cwiseAbs().maxCoeff();
     if (!twice.H.allFinite() || !(size < kGrowing)) return Outcome::growing;
 
-    const auto before = map.H.diagonal().array(), after = twice.H.diagonal().array();
+    const auto before = map.H.diagonal().array();
+    const auto after = twice.H.diagonal().array();
     const bool still = (after - before <= kSettled * after).all();
     map = twice;
     if (still && (size <= kForgotten || doublings >= patience)) {

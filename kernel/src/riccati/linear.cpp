@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "delos/model/symmetric.h"
+
 namespace delos::riccati {
 namespace {
 
@@ -80,15 +82,18 @@ StateMatrix semidefinite_factor(const StateMatrix& P) {
   return F;
 }
 
+Eigen::MatrixXd in_terms_of(const StateMatrix& V, const Eigen::MatrixXd& rows) {
+  return rows.rows() == 0 ? Eigen::MatrixXd() : Eigen::MatrixXd(rows * V);
+}
+
 PseudoInverse pseudo_inverse(const StateMatrix& M, const StateVector& scale) {
   // Eigenvalues of D M D, D = scale^(−1/2), have absolute errors of n ε.
   const Eigen::Index n = M.rows();
   StateVector D(n);
   for (Eigen::Index i = 0; i < n; ++i)
     D[i] = scale[i] > 0 ? 1 / std::sqrt(scale[i]) : 1;
-  const Eigen::SelfAdjointEigenSolver<StateMatrix> eigen(
-      StateMatrix(D.asDiagonal() * M * D.asDiagonal()));
-  const auto& lambda = eigen.eigenvalues();
+  const SymmetricEigen eigen = symmetric_eigen(D.asDiagonal() * M * D.asDiagonal());
+  const StateVector& lambda = eigen.values;
   Eigen::Index rank = 0;
   StateVector inverse = StateVector::Zero(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -96,7 +101,7 @@ PseudoInverse pseudo_inverse(const StateMatrix& M, const StateVector& scale) {
     inverse[i] = 1 / lambda[i];
     ++rank;
   }
-  const StateMatrix V = D.asDiagonal() * eigen.eigenvectors();
+  const StateMatrix V = D.asDiagonal() * eigen.vectors;
   return {congruence(V, StateMatrix(inverse.asDiagonal())), V.leftCols(n - rank)};
 }
 

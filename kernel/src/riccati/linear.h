@@ -46,9 +46,7 @@ StateMatrix null_space(const StateMatrix& W, double tolerance);
 StateMatrix semidefinite_factor(const StateMatrix& P);
 
 /// Rows over the state as rows over y, where x = V y; 0×0 where there are none.
-inline Eigen::MatrixXd in_terms_of(const StateMatrix& V, const Eigen::MatrixXd& rows) {
-  return rows.rows() == 0 ? Eigen::MatrixXd() : Eigen::MatrixXd(rows * V);
-}
+Eigen::MatrixXd in_terms_of(const StateMatrix& V, const Eigen::MatrixXd& rows);
 
 /// Pseudo-inverse of a symmetric M ≥ 0 whose entries are sums of terms of size
 /// √(scale_i scale_j): what is below 16 n ε of that is rounding and counts as zero.

@@ -79,6 +79,13 @@ MotionModel no_motion(const StateLayout& layout) {
 
 }  // namespace
 
+System::System() = default;
+System::System(const System&) = default;
+System::System(System&&) noexcept = default;
+System& System::operator=(const System&) = default;
+System& System::operator=(System&&) noexcept = default;
+System::~System() = default;
+
 Occluders placed_body(const OccluderEntry& entry) {
   return Occluders({placed_mesh(entry)}, {entry.room});
 }

@@ -1,8 +1,8 @@
 #include "scene/noise_check.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
+#include "delos/model/symmetric.h"
 #include "delos/text/units.h"
 #include "text/number_text.h"
 #include "text/numbers.h"
@@ -23,11 +23,6 @@ bool check_symmetric(Reader& reader, const Place& at, const Eigen::MatrixXd& m) 
   return true;
 }
 
-double least_eigenvalue(const Eigen::MatrixXd& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m, Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
-}
-
 bool refuse(Reader& reader, const Place& at, const char* property, double least) {
   reader.error(at, std::string("is not ") + property + ": its least eigenvalue is " +
                        rounded(least, 6));
@@ -40,7 +35,7 @@ bool check_positive_definite(Reader& reader, const Place& at,
                              const Eigen::MatrixXd& m) {
   if (!check_symmetric(reader, at, m)) return false;
   if (Eigen::LLT<Eigen::MatrixXd>(m).info() == Eigen::Success) return true;
-  return refuse(reader, at, "positive definite", least_eigenvalue(m));
+  return refuse(reader, at, "positive definite", symmetric_eigenvalues(m)[0]);
 }
 
 bool check_positive_semidefinite(Reader& reader, const Place& at,
@@ -48,7 +43,7 @@ bool check_positive_semidefinite(Reader& reader, const Place& at,
   if (!check_symmetric(reader, at, m)) return false;
   // Eigenvalues are exact to rounding only, and singular matrices are allowed.
   constexpr double kRounding = 1e-12;
-  const double least = least_eigenvalue(m);
+  const double least = symmetric_eigenvalues(m)[0];
   if (least >= -kRounding * m.cwiseAbs().maxCoeff()) return true;
   return refuse(reader, at, "positive semidefinite", least);
 }

@@ -9,6 +9,14 @@
 
 namespace delos {
 
+Scene::Scene() = default;
+Scene::Scene(const Scene&) = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(const Scene&) = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+bool Scene::operator==(const Scene&) const = default;
+
 const char* to_string(Fusion fusion) { return word_of(kFusionWords, fusion); }
 const char* to_string(CovarianceKind kind) { return word_of(kCovarianceWords, kind); }
 

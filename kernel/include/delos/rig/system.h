@@ -56,7 +56,7 @@ struct PlacedDevice {
 };
 
 /// All that the steady-state equation needs of a scene.
-struct System {
+struct DELOS_API System {
   MotionModel motion;
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
@@ -71,6 +71,14 @@ struct System {
   Occluders in_world;                    ///< what hides, in W
   Occluders on_target;  ///< what hides and moves with the target, in its frame T
   double skin = 1e-3;   ///< nothing hides so near to the ends of a sight line, metres
+
+  // Member by member, as usual, but compiled once and not wherever a system is copied.
+  System();
+  System(const System&);
+  System(System&&) noexcept;
+  System& operator=(const System&);
+  System& operator=(System&&) noexcept;
+  ~System();
 };
 
 /// Create and place the devices of a scene.

@@ -222,7 +222,7 @@ struct MetricEntry {
 };
 
 /// A whole scene.
-struct Scene {
+struct DELOS_API Scene {
   std::string name;
   MotionModel motion;
   std::optional<Fusion> fusion;  ///< not given: see definition_of()
@@ -248,7 +248,14 @@ struct Scene {
   Objective objective;
   Selection selection;
 
-  friend bool operator==(const Scene&, const Scene&) = default;
+  // Member by member, as usual, but compiled once and not wherever a scene is copied.
+  Scene();
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+  bool operator==(const Scene&) const;
 };
 
 /// The words that scenes, JSON and messages use.

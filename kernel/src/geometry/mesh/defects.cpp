@@ -12,7 +12,7 @@
 namespace delos {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using VertexIndices = std::array<std::uint32_t, 3>;
 
 /// Tells which triangles of a mesh meet where they shouldn't.
 class SelfIntersections {
@@ -53,7 +53,7 @@ class SelfIntersections {
   /// Whether two triangles meet elsewhere than in their common corners and edges.
   bool intersect(std::uint32_t s, std::uint32_t t) const {
     // Common corners first.
-    Corners a = corners_[s], b = corners_[t];
+    VertexIndices a = corners_[s], b = corners_[t];
     int common = 0;
     for (int i = 0; i < 3; ++i) {
       const auto same = std::find(b.begin() + common, b.end(), a[i]);
@@ -81,11 +81,11 @@ class SelfIntersections {
     }
   }
 
-  Kernel::Segment_3 opposite(const Corners& c) const {
+  Kernel::Segment_3 opposite(const VertexIndices& c) const {
     return {points_[c[1]], points_[c[2]]};
   }
 
-  const std::vector<Corners>& corners_;
+  const std::vector<VertexIndices>& corners_;
   std::vector<Kernel::Point_3> points_;
 };
 
