@@ -98,6 +98,7 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
              int columns, MeasureScratch& scratch, Visit&& visit) {
   StateRow& row = scratch.row;
   row.h.setZero(columns);
+  if (placed.clock) row.h(*placed.clock) = 1;
   row.share = 1;
   if (placed.carried()) return measure_beacons(system, placed, X_WT, scratch, visit);
   const Span span = placed.device->span();

@@ -114,7 +114,8 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
-  return !placed.carried() && placed.device->span() == Span::point &&
+  return !placed.carried() && !placed.clock &&
+         placed.device->span() == Span::point &&
          observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 
@@ -125,6 +126,7 @@ std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& plac
                                                         Visit&& visit) const {
   if (placed.carried() || placed.device->span() != Span::point) return std::nullopt;
   row.h.setZero(columns_);
+  if (placed.clock) row.h(*placed.clock) = 1;
   double unseen = 1;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {

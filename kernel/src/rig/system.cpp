@@ -73,8 +73,18 @@ Occluders placed_occluders(const std::vector<OccluderEntry>& occluders, Mount mo
 constexpr double kUnknown = 1e20;  // q, m²/s and rad²/s; dt is 1 s
 
 MotionModel no_motion(const StateLayout& layout) {
-  const int d = layout.coordinates();
-  return {layout, ChainMotion{kUnknown * CoordinateMatrix::Identity(d, d)}};
+  const int d = layout.coordinates(), n = layout.size();
+  if (n == d) return {layout, ChainMotion{kUnknown * CoordinateMatrix::Identity(d, d)}};
+  return {layout, CustomMotion{StateMatrix::Identity(n, n),
+                               kUnknown * StateMatrix::Identity(n, n)}};
+}
+
+/// Which state of a layout has this name.
+std::optional<int> state_named(const StateLayout& layout, const std::string& name) {
+  const std::vector<std::string> names = layout.names();
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (name.empty() || at == names.end()) return std::nullopt;
+  return static_cast<int>(at - names.begin());
 }
 
 }  // namespace
@@ -131,6 +141,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     }
     placed.period = single ? 1 : 1 / entry.rate;
     placed.phase = single ? 0 : entry.phase;
+    if (single) placed.clock = state_named(system.motion.layout, clock_state(entry));
     system.devices.push_back(std::move(placed));
   }
   return system;
@@ -141,7 +152,7 @@ int information_size(const System& system) {
   const bool pose_alone = std::all_of(
       system.devices.begin(), system.devices.end(), [](const PlacedDevice& d) {
         const Span span = d.device->span();
-        return span == Span::point || span == Span::pose;
+        return !d.clock && (span == Span::point || span == Span::pose);
       });
   return pose_alone ? layout.coordinates() : layout.size();
 }

@@ -51,11 +51,26 @@ bool takes(const Scene& scene, Fusion fusion) {
          (fusion != Fusion::continuous && fusion != Fusion::periodic);
 }
 
+/// A state for each clock, in the order of the devices.
+std::vector<std::string> clock_states(const Scene& scene) {
+  std::vector<std::string> states;
+  for (const DeviceEntry& device : scene.devices) {
+    const std::string state = clock_state(device);
+    if (!state.empty() && std::find(states.begin(), states.end(), state) == states.end())
+      states.push_back(state);
+  }
+  return states;
+}
+
 }  // namespace
+
+std::string clock_state(const DeviceEntry& device) {
+  return device.clock.empty() ? "" : "clock_" + device.clock;
+}
 
 StateLayout covariance_layout(const Scene& scene) {
   if (scene.covariance != CovarianceKind::single) return scene.motion.layout;
-  return {scene.motion.layout.pose, 1, {}};
+  return {scene.motion.layout.pose, 1, clock_states(scene)};
 }
 
 KnownMetrics known_metrics(const Scene& scene) {

@@ -61,7 +61,7 @@ Written write_seen_beacons(const DeviceEntry& d) {
   return to_node(std::move(names));
 }
 
-constexpr std::array<Key<DeviceEntry>, 16> kDeviceKeys = {{
+constexpr std::array<Key<DeviceEntry>, 17> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -113,6 +113,15 @@ constexpr std::array<Key<DeviceEntry>, 16> kDeviceKeys = {{
          return std::nullopt;
        return to_node(d.count);
      }},
+    {"clock", Need::optional,
+     "its readings and those of all devices of this clock are off by one unknown number",
+     [](Reader& r, const Place& p, DeviceEntry& d) {
+       if (auto clock = r.name(p)) d.clock = std::move(*clock);
+     },
+     [](const DeviceEntry& d) -> Written {
+       if (d.clock.empty()) return std::nullopt;
+       return to_node(d.clock);
+     }},
     {"group", Need::optional, "the group that it is placed in; default: the world",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto group = r.word(p)) d.group = std::move(*group);
@@ -159,7 +168,7 @@ void check_mount(Reader& reader, const Place& at, const DeviceEntry& device) {
     if (const Node* node = at.node().find(key))
       reader.error_within(at, node->mark, key, problem);
   };
-  for (const char* key : {"group", "on"})
+  for (const char* key : {"group", "on", "clock"})
     if (carried)
       refuse(key, "is in the world, but mount: target moves with the target");
   for (const char* key : {"beacons", "select"})
@@ -167,6 +176,15 @@ void check_mount(Reader& reader, const Place& at, const DeviceEntry& device) {
       refuse(key, "is for a device that the target carries; give 'mount: target'");
   if (!carried || device.select == SightingRule::all)
     refuse("count", "goes with 'select: mean', 'random', 'nearest' or 'best'");
+}
+
+/// An offset that stays is learnt in time: only single readings suffer from one.
+void check_clock(Reader& reader, const Place& at, const DeviceEntry& device,
+                 bool single) {
+  if (!device.clock.empty() && !single)
+    reader.error_within(at, at.node().find("clock")->mark, "clock",
+                        "goes with covariance: single; filters learn an offset that "
+                        "stays");
 }
 
 /// A carried device needs something to look at.
@@ -232,6 +250,7 @@ void read_device(Reader& reader, const Place& at, const Around& around,
   }
   check_mount(reader, at, out);
   check_group(reader, at, out, around.groups);
+  check_clock(reader, at, out, around.single);
   if (around.beacons) check_seen_beacons(reader, at, out, *around.beacons);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,6 +46,7 @@ struct PlacedDevice {
   double noise = 1;   ///< its noise's covariance is so many times what it says, > 0
   double period = 0;  ///< seconds between updates, > 0
   double phase = 0;   ///< seconds to the first update, ≥ 0
+  std::optional<int> clock;  ///< the state that its readings are off by
 
   /// How the target carries it; null: it stands in the world.
   [[nodiscard]] const TargetMount* carried() const {

@@ -18,7 +18,11 @@ struct Definition {
   friend bool operator==(const Definition&, const Definition&) = default;
 };
 
-/// The states that a scene's covariance has: of a single reading, those of the pose.
+/// The state of a device's clock, "clock_NAME"; empty where it has none.
+[[nodiscard]] DELOS_API std::string clock_state(const DeviceEntry& device);
+
+/// The states that a scene's covariance has: of a single reading, those of the pose and
+/// of the clocks.
 [[nodiscard]] DELOS_API StateLayout covariance_layout(const Scene& scene);
 
 /// The metrics that a scene can name: those of its states, and its own.

@@ -204,6 +204,7 @@ struct DeviceEntry {
   std::vector<std::string> beacons;         ///< sets that it sees; empty: all
   SightingRule select = SightingRule::all;  ///< where mount is target
   int count = 1;      ///< sightings an update, ≥ 1; see `select`
+  std::string clock;  ///< devices of one clock share an unknown offset; empty: none
   std::string group;  ///< empty: the world
   /// Given: it stands there, and not at placement.at; group is empty.
   std::optional<Mounting> mounting;
