@@ -81,10 +81,8 @@ std::vector<std::string> lost_directions(const System& system,
   for (const Eigen::Vector3d& arm : arms) spread += arm * arm.transpose();
   const SymmetricEigen axes = symmetric_eigen(spread);
   const double least = kInLine * kInLine * axes.values(2);
-  const bool line = axes.values(1) < least,
-             plane = !line && axes.values(0) < least;
-  const Eigen::Vector3d along = axes.vectors.col(2),
-                        normal = axes.vectors.col(0);
+  const bool line = axes.values(1) < least, plane = !line && axes.values(0) < least;
+  const Eigen::Vector3d along = axes.vectors.col(2), normal = axes.vectors.col(0);
   const std::string who =
       "the point and " +
       (arms.size() == 2 ? std::string("both") : "all " + std::to_string(arms.size())) +

@@ -162,7 +162,8 @@ TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
       << text;
   // Of the plane itself the shares are defined.
   json.insert(json.end(), {"--metric", "sigma_y"});
-  for (const Json& device : run(json, folder.path()).json()["devices"])
+  const Json of_y = run(json, folder.path()).json();
+  for (const Json& device : of_y["devices"])
     EXPECT_GT(device["share"].get<double>(), 0);
 }
 

@@ -1,4 +1,5 @@
-// Single readings whose devices share an unknown clock: satellites, and time differences.
+// Single readings whose devices share an unknown clock: satellites, and time
+// differences.
 #include <Eigen/LU>
 #include <numbers>
 #include <sstream>
@@ -32,11 +33,6 @@ std::string sky(double elevation, int around, const std::string& overhead = "rx"
   return text.str();
 }
 
-double value_of(Scene scene, const std::string& metric) {
-  scene.metric = metric;
-  return field_of(scene).value.at(0);
-}
-
 /// With n anchors around at an elevation whose sine is s, HᵀH is diagonal but for z and
 /// the clock: VDOP² = (n + 1)/D, TDOP² = (n s² + 1)/D with D = n (1 − s)², and
 /// HDOP² = 4/(n cos²).
@@ -57,13 +53,13 @@ TEST(Clock, IsSolvedForBesideThePosition) {
     }
 }
 
-/// What is left of pseudoranges where the clock is eliminated: the differences to one of
-/// them, z_i − z_0, with R = I + 1 1ᵀ of their shared noise. By Eigen's inverse.
+/// What is left of pseudoranges where the clock is eliminated: the differences to one
+/// of them, z_i − z_0, with R = I + 1 1ᵀ of their shared noise. By Eigen's inverse.
 TEST(Clock, LeavesWhatTimeDifferencesKnow) {
   const Scene scene = scene_of(R"(delos: 1
 motion: {type: position_velocity, q: [0.4, 0.4, 0.1]}
 covariance: single
-sample: {volume: {min: [0.5, 0.5, 0.3], max: [6, 4, 2.1], step: [1.1, 0.9, 0.6]}}
+sample: {volume: {min: [0.5, 0.5, 0.3], max: [6, 4, 2.1], step: [1.1, 0.875, 0.6]}}
 metric: trace
 devices:
   - {name: a, type: uwb_range, rate: 10, at: [0, 0, 2.9], clock: tag, params: &u {sigma: 0.2 m}}

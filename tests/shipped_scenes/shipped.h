@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "delos/field/evaluate.h"
+#include "delos/scene/definition.h"
 #include "delos/scene/io.h"
 
 namespace delos::test {
@@ -38,7 +39,7 @@ inline Scene scene_of(const std::string& text,
 inline Field field_of(const Scene& scene, Samples samples = {}) {
   const System system = build_system(scene, plugins());
   if (samples.points.empty()) samples = make_samples(scene.samples);
-  const auto metric = parse_metric(scene.metric, scene.motion.layout);
+  const auto metric = parse_metric(scene.metric, covariance_layout(scene));
   return evaluate_field(system, samples, scene.orientations, std::get<Metric>(metric),
                         {.threads = 2});
 }
@@ -46,6 +47,12 @@ inline Field field_of(const Scene& scene, Samples samples = {}) {
 inline Field field_of(const std::string& name,
                       const std::vector<Override>& changes = {}) {
   return field_of(load(name, changes));
+}
+
+/// A metric of a scene at its first sample.
+inline double value_of(Scene scene, const std::string& metric) {
+  scene.metric = metric;
+  return field_of(scene).value.at(0);
 }
 
 /// The samples at which a field is within `slack` (relative) of a value.

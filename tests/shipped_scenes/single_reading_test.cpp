@@ -24,11 +24,6 @@ devices:
 )" + rest;
 }
 
-double value_of(Scene scene, const std::string& metric) {
-  scene.metric = metric;
-  return field_of(scene).value.at(0);
-}
-
 /// P = 3/4 of the identity: VDOP = √(3/4), HDOP = √(3/2), PDOP = 3/2.
 TEST(SingleReading, IsTheDilutionOfPrecisionWhereRangesAreOfOneMetre) {
   const Scene scene = scene_of(tetrahedron());

@@ -24,7 +24,8 @@ struct PointRows {
 
 /// Observe one marker at up to kLanes poses.
 /// @param sight one a pose, or nullptr: what is known of the sight line
-/// @returns false where the device has no entry for many points, sees beacons, or has a clock
+/// @returns false where the device has no entry for many points, sees beacons, or has a
+/// clock
 bool observe_rows(const System& system, const PlacedDevice& placed,
                   const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out);

@@ -114,8 +114,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
-  return !placed.carried() && !placed.clock &&
-         placed.device->span() == Span::point &&
+  return !placed.carried() && !placed.clock && placed.device->span() == Span::point &&
          observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 

@@ -42,9 +42,9 @@ std::optional<std::int64_t> short_lcm(std::int64_t a, std::int64_t b) {
 }
 
 std::string too_long() {
-  return "fusion: the devices' rates repeat only after more than " +
-         std::to_string(kMaxCycle) +
-         " updates; use rates in simple ratios, or fusion: continuous";
+  std::string text = "fusion: the devices' rates repeat only after more than ";
+  text += std::to_string(kMaxCycle);
+  return text += " updates; use rates in simple ratios, or fusion: continuous";
 }
 
 std::variant<std::vector<UpdateSlot>, std::string> periodic(const System& system) {

@@ -56,7 +56,8 @@ std::vector<std::string> clock_states(const Scene& scene) {
   std::vector<std::string> states;
   for (const DeviceEntry& device : scene.devices) {
     const std::string state = clock_state(device);
-    if (!state.empty() && std::find(states.begin(), states.end(), state) == states.end())
+    if (!state.empty() &&
+        std::find(states.begin(), states.end(), state) == states.end())
       states.push_back(state);
   }
   return states;

@@ -114,7 +114,8 @@ constexpr std::array<Key<DeviceEntry>, 17> kDeviceKeys = {{
        return to_node(d.count);
      }},
     {"clock", Need::optional,
-     "its readings and those of all devices of this clock are off by one unknown number",
+     "its readings and those of all devices of this clock are off by one unknown "
+     "number",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto clock = r.name(p)) d.clock = std::move(*clock);
      },

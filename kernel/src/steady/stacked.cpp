@@ -2,6 +2,7 @@
 
 #include "steady/chain_reduction.h"
 #include "steady/general_state.h"
+#include "steady/single.h"
 
 namespace delos {
 namespace {
@@ -28,6 +29,11 @@ void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
   if (reduce(at, request, out)) return;
   out.of = CovarianceOf::every_update;
   auto& [motion, measurement] = at.steps.front();
+  if (system_.covariance == CovarianceKind::single) {
+    at.states.front() = single_reading(measurement);
+    set_state(at.states.front(), out);
+    return;
+  }
   const bool papers = solver() == Solver::eigenvector && measurement.exact.rows() == 0;
   at.states.front() =
       papers ? solve_eigenvector(at.steps) : solve_doubling(motion, measurement);
@@ -55,6 +61,9 @@ StateMatrix StackedSolver::adjoint(const SteadyEquation& at,
   const Eigen::Index n = measurement.information.rows();
   StateMatrix whole = StateMatrix::Zero(n, n);
   whole.topLeftCorner(Y.rows(), Y.cols()) = Y;
+  if (system_.covariance == CovarianceKind::single)
+    return single_reading_gradient(at.states.front(), whole)
+        .topLeftCorner(at.columns, at.columns);
   return riccati_gradient(motion, measurement, at.states.front(), whole,
                           system_.covariance != CovarianceKind::prior)
       .topLeftCorner(at.columns, at.columns);
