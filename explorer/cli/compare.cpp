@@ -6,6 +6,9 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "command.h"
 #include "delos/model/metric_expression.h"
@@ -40,7 +43,7 @@ struct Side {
 /// A '+' begins a change where a path and '=' follow; other ones belong to a value or a
 /// file's name.
 Side side_of(const std::string& text) {
-  constexpr std::string_view kDigits = "0123456789.";
+  constexpr std::string_view kNoStart = "0123456789.";  // of a path
   constexpr std::string_view kPath =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZ_abcdefghijklmnopqrstuvwxyz0123456789.";
   std::vector<std::string> parts(1);
@@ -48,7 +51,7 @@ Side side_of(const std::string& text) {
     const std::size_t end = text.find_first_not_of(kPath, i + 1);
     const bool change = text[i] == '+' && end != std::string::npos && end > i + 1 &&
                         text[end] == '=' &&
-                        kDigits.find(text[i + 1]) == std::string_view::npos;
+                        kNoStart.find(text[i + 1]) == std::string_view::npos;
     if (change)
       parts.emplace_back();
     else

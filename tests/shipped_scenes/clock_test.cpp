@@ -97,6 +97,26 @@ TEST(Clock, TakesAReadingOfEachClock) {
               value_of(scene_of(sky(0.5, 4)), "sigma_horizontal"), 1e-9);
 }
 
+/// A state has 30 numbers at most: three of the position and 27 clocks.
+TEST(Clock, IsRefusedWhereTheyAreTooMany) {
+  const auto findings_of = [](int clocks) {
+    std::string text = sky(0.5, clocks - 1, "own");
+    for (int k = 0; k < clocks - 1; ++k) {
+      const std::size_t at = text.find("clock: rx");
+      text.replace(at, 9, "clock: c" + std::to_string(k));
+    }
+    Diagnostics findings;
+    (void)parse_scene(text, "scene.yaml", {}, plugins(), findings);
+    return findings;
+  };
+  EXPECT_TRUE(findings_of(27).empty());
+  const Diagnostics findings = findings_of(28);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_NE(to_string(findings[0]).find("31 numbers are unknown; at most 30"),
+            std::string::npos)
+      << to_string(findings[0]);
+}
+
 TEST(Clock, IsAStateOfSingleReadingsAlone) {
   const Scene scene = scene_of(sky(0.5, 3));
   EXPECT_EQ(covariance_layout(scene).names(),

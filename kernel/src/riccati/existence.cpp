@@ -1,9 +1,9 @@
 #include "delos/riccati/existence.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
 
+#include "riccati/linear.h"
 #include "riccati/observability.h"
 
 namespace delos {

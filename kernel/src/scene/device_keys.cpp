@@ -5,6 +5,7 @@
 #include <map>
 
 #include "delos/device/faults.h"
+#include "delos/scene/definition.h"
 #include "document/node_text.h"
 #include "scene/params.h"
 #include "scene/placement_keys.h"
@@ -169,9 +170,10 @@ void check_mount(Reader& reader, const Place& at, const DeviceEntry& device) {
     if (const Node* node = at.node().find(key))
       reader.error_within(at, node->mark, key, problem);
   };
-  for (const char* key : {"group", "on", "clock"})
+  for (const char* key : {"group", "on"})
     if (carried)
       refuse(key, "is in the world, but mount: target moves with the target");
+  if (carried) refuse("clock", "is for a device in the world; this one sees beacons");
   for (const char* key : {"beacons", "select"})
     if (!carried)
       refuse(key, "is for a device that the target carries; give 'mount: target'");
@@ -308,6 +310,11 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
     }
     scene.devices.push_back(std::move(entry));
   }
+  const int states = covariance_layout(scene).size();
+  if (around.single && states > kMaxState)
+    reader.error(at, "have so many clocks that " + std::to_string(states) +
+                         " numbers are unknown; at most " + std::to_string(kMaxState) +
+                         " can be solved for");
 }
 
 Node write_groups(const std::vector<Group>& groups) {
