@@ -8,27 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "support/folder.h"
+
 namespace delos::test {
 
 using Json = nlohmann::json;
-
-/// A folder of its own that is removed with this object.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  /// Write a file into it.
-  /// @returns its path
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A file's bytes; empty where there is none.
 std::string read_file(const std::filesystem::path& file);

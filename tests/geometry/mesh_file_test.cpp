@@ -15,6 +15,7 @@
 #include "delos/geometry/defects.h"
 #include "delos/geometry/mesh.h"
 #include "delos/geometry/primitives.h"
+#include "support/folder.h"
 
 namespace delos::test {
 namespace {
@@ -23,17 +24,8 @@ static_assert(std::endian::native == std::endian::little, "as the binary files b
 
 class MeshFile : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("delos_mesh_" + std::string(test->name()) + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& bytes) {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    return folder_ / name;
+    return folder_.write(name, bytes);
   }
 
   /// What is said of a file, without its folder.
@@ -41,12 +33,12 @@ class MeshFile : public testing::Test {
     try {
       (void)read_mesh(write(name, bytes));
     } catch (const std::runtime_error& e) {
-      return std::string(e.what()).substr(folder_.string().size() + 1);
+      return std::string(e.what()).substr(folder_.path().string().size() + 1);
     }
     return "accepted";
   }
 
-  std::filesystem::path folder_;
+  Folder folder_;
 };
 
 const TriangleMesh kBox = make_box({0, 0, 0}, {1, 2, 3});

@@ -10,6 +10,7 @@
 #include "delos/optimize/study.h"
 #include "optimizers/scenes.h"
 #include "problem/search_samples.h"
+#include "support/folder.h"
 
 namespace delos::test {
 namespace {
@@ -132,9 +133,7 @@ TEST(OctreeSearch, IsFrozenInAStageAndRebuiltBeforeTheNext) {
 }
 
 TEST(OctreeSearch, IsTheSameForAnyThreadsAndWhenResumed) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("octree-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const Folder folder;
   const OptimizeOptions one = options_of(1);
   const StudyPlan plan = {.evaluations = one.evaluations,
                           .starts = one.starts,
@@ -156,7 +155,6 @@ TEST(OctreeSearch, IsTheSameForAnyThreadsAndWhenResumed) {
   EXPECT_LT(part.evaluations(1).size(), whole.evaluations(1).size());
   (void)part.run(options_of(2));
   EXPECT_EQ(part.dump(), whole.dump());
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

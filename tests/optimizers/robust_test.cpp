@@ -12,6 +12,7 @@
 #include "optimizers/scenes.h"
 #include "problem/deviation.h"
 #include "problem/worst_case.h"
+#include "support/folder.h"
 #include "tradeoff/device_count.h"
 
 namespace delos::test {
@@ -240,9 +241,7 @@ TEST(KnownOptima, ADeviceThatFailsDoesntBlind) {
 }
 
 TEST(Robust, StudiesResumeBitForBit) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("robust-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const Folder folder;
   const Scene scene = load(
       "10-better-speakers",
       {{"objective",
@@ -268,7 +267,6 @@ TEST(Robust, StudiesResumeBitForBit) {
   options.threads = 2;
   (void)again.run(options);
   EXPECT_EQ(again.dump(), whole.dump());
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Robust, DevicesComeAndGoWithTheirFailures) {

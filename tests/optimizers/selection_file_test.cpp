@@ -7,26 +7,10 @@
 #include "optimizers/scenes.h"
 #include "selection/state_file.h"
 #include "study/database.h"
+#include "support/folder.h"
 
 namespace delos::test {
 namespace {
-
-/// A folder of its own that is removed with this object.
-class KeptFolder {
- public:
-  KeptFolder() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "kept-XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~KeptFolder() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] std::filesystem::path file(const std::string& name) const {
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Three of six anchors. @param nodes after which to stop
 SelectResult chosen_anchors(const std::filesystem::path& study, std::size_t nodes) {
@@ -51,8 +35,8 @@ selection: {count: 3, candidates: [{devices: "*"}]}
 }
 
 TEST(KeptSelections, AreRefusedWhereTheirFileWasChanged) {
-  const KeptFolder folder;
-  const auto kept = folder.file("kept"), edited = folder.file("edited");
+  const Folder folder;
+  const auto kept = folder / "kept", edited = folder / "edited";
   EXPECT_EQ(chosen_anchors(kept, 1).stop, SelectStop::cancelled);
   std::vector<std::string> edits = {
       "UPDATE selection_state SET best = ''",
@@ -107,7 +91,7 @@ TEST(KeptSelections, AreRefusedWhereTheirFileWasChanged) {
           << refusal.what();
     }
     for (const char* log : {"edited-wal", "edited-shm"})
-      std::filesystem::remove(folder.file(log));
+      std::filesystem::remove(folder / log);
   }
   // As it was, it goes on, and ends where a search without a file does.
   const SelectResult whole = chosen_anchors({}, 1000),
@@ -140,7 +124,7 @@ class TenLess final : public ChoiceCost {
 
 // A checksum says only that a file is as it was written.
 TEST(KeptSelections, AreRefusedWhereNoSearchCanBe) {
-  const KeptFolder folder;
+  const Folder folder;
   TenLess cost;
   const ChoiceRules rules{{1, 1, 1}, {-1, -1, -1}, 2};
   const std::vector<Decision> decisions = {Decision::open, Decision::in,
@@ -157,7 +141,7 @@ TEST(KeptSelections, AreRefusedWhereNoSearchCanBe) {
   const auto loaded = [&](const std::function<void(BranchState&)>& change) {
     BranchState state = good;
     change(state);
-    SelectionFile file(folder.file(std::to_string(files++)), {"a scene", 1, 1});
+    SelectionFile file(folder / std::to_string(files++), {"a scene", 1, 1});
     file.save(state);
     try {
       return file.load(cost, rules, decisions).has_value();

@@ -14,21 +14,10 @@
 
 #include "optimizers/scenes.h"
 #include "study/database.h"
+#include "support/folder.h"
 
 namespace delos::test {
 namespace {
-
-/// A folder of its own that is removed with this object.
-class Folder {
- public:
-  Folder() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "study-XXXXXX").string();
-    path = mkdtemp(pattern.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  std::filesystem::path path;
-};
 
 const StudyPlan kPlan = {.evaluations = 80, .starts = 2, .seed = 3, .samples = 100};
 
@@ -45,7 +34,7 @@ Study begun(const std::filesystem::path& file) {
 
 TEST(Study, IsTheSearchWithoutAFile) {
   const Folder folder;
-  Study study = begun(folder.path / "s");
+  Study study = begun(folder / "s");
   const OptimizeResult kept = study.run(one_thread());
   OptimizeOptions options = one_thread();
   options.evaluations = kPlan.evaluations;
@@ -68,10 +57,10 @@ TEST(Study, IsTheSearchWithoutAFile) {
 // Stopped within a stage or between two, it goes on as if it hadn't been.
 TEST(Study, GoesOnWhereverItWasStopped) {
   const Folder folder;
-  Study whole = begun(folder.path / "whole");
+  Study whole = begun(folder / "whole");
   (void)whole.run(one_thread());
   for (const std::size_t after : {1, 5, 8, 9, 10, 23, 47}) {
-    Study part = begun(folder.path / ("part" + std::to_string(after)));
+    Study part = begun(folder / ("part" + std::to_string(after)));
     std::atomic<bool> cancel = false;
     OptimizeOptions options = one_thread();
     options.cancel = &cancel;
@@ -90,11 +79,11 @@ TEST(Study, GoesOnWhereverItWasStopped) {
 // goes on once there is room.
 TEST(Study, OutlivesAFullDisk) {
   const Folder folder;
-  Study whole = begun(folder.path / "whole");
+  Study whole = begun(folder / "whole");
   (void)whole.run(one_thread());
   int stopped = 0;
   for (const rlim_t room : {40'000, 60'000, 100'000}) {
-    const std::filesystem::path file = folder.path / ("full" + std::to_string(room));
+    const std::filesystem::path file = folder / ("full" + std::to_string(room));
     (void)begun(file);
     const pid_t child = fork();
     if (child == 0) {
@@ -125,7 +114,7 @@ TEST(Study, OutlivesAFullDisk) {
 
 TEST(Study, UndoesActsThatNoRoundHasBegunWith) {
   const Folder folder;
-  Study study = begun(folder.path / "s");
+  Study study = begun(folder / "s");
   const Scene before = study.scene();
   study.act("set", "devices.s1.at.x=-0.2");
   // What mirrors the variable moves with it.
@@ -144,7 +133,7 @@ TEST(Study, UndoesActsThatNoRoundHasBegunWith) {
 // found since stays.
 TEST(Study, UndoesActsOfEarlierRounds) {
   const Folder folder;
-  Study study = begun(folder.path / "s");
+  Study study = begun(folder / "s");
   (void)study.run(one_thread());
   const Scene first = study.scene();
   study.act("set", "devices.s1.at.x=-0.3");
@@ -171,12 +160,12 @@ TEST(Study, UndoesActsOfEarlierRounds) {
   EXPECT_EQ(study.scene().devices, moved.devices);
   EXPECT_THROW(study.act("undo", ""), std::invalid_argument);
   // The journal replays to the same.
-  EXPECT_TRUE(Study(folder.path / "s", plugins()).scene() == study.scene());
+  EXPECT_TRUE(Study(folder / "s", plugins()).scene() == study.scene());
 }
 
 TEST(Study, UndoesAnExtensionUntilItIsSpent) {
   const Folder folder;
-  Study study = begun(folder.path / "s");
+  Study study = begun(folder / "s");
   (void)study.run(one_thread());
   study.act("extend", "40");
   study.act("undo", "");
@@ -192,7 +181,7 @@ TEST(Study, UndoesAnExtensionUntilItIsSpent) {
 // Acts after which nothing keeps all constraints: said, and mended by taking them back.
 TEST(Study, GoesOnAfterAnActThatLeavesNoDesign) {
   const Folder folder;
-  Study study = begun(folder.path / "s");
+  Study study = begun(folder / "s");
   (void)study.run(one_thread());
   study.act("forbid", "{sphere: {radius: 50}}");
   EXPECT_THROW((void)study.run(one_thread()), std::invalid_argument);
@@ -208,7 +197,7 @@ TEST(Study, GoesOnAfterAnActThatLeavesNoDesign) {
 
 TEST(Study, KeepsDropsForbidsAndInjects) {
   const Folder folder;
-  Study study = begun(folder.path / "s");
+  Study study = begun(folder / "s");
   const auto names = [&] {
     std::vector<std::string> all;
     for (const ConstraintEntry& c : study.scene().constraints) all.push_back(c.name);
@@ -269,7 +258,7 @@ std::string refusal(Call&& call) {
 /// A study that has come to its end, and changes to its file.
 std::filesystem::path finished(const Folder& folder, const std::string& name,
                                const char* change = nullptr) {
-  const std::filesystem::path file = folder.path / name;
+  const std::filesystem::path file = folder / name;
   (void)begun(file).run(one_thread());
   if (change) Database(file, false).run(change);
   return file;
@@ -330,7 +319,7 @@ TEST(Study, RefusesFactsThatAreNoNumbers) {
   const Folder folder;
   for (const char* name : {"seed", "starts", "evaluations", "samples"})
     for (const char* value : {"", "x", "3x", "-1", "99999999999999999999999"}) {
-      const auto file = folder.path / (std::string(name) + '=' + value);
+      const auto file = folder / (std::string(name) + '=' + value);
       const Study study = begun(file);
       Database(file, false)
           .prepare("UPDATE facts SET value = ? WHERE name = ?")
@@ -350,7 +339,7 @@ TEST(Study, RefusesFilesThatAreCutShort) {
   const auto file = finished(folder, "s");
   const auto size = std::filesystem::file_size(file);
   for (const std::uintmax_t cut : {1, 100, 700, 2048, 4000, 4095, 4096, 5000, 8192}) {
-    const auto part = folder.path / "part";
+    const auto part = folder / "part";
     std::filesystem::copy_file(file, part,
                                std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(part, size - cut);
@@ -363,7 +352,7 @@ TEST(Study, IsBegunByOneOfTwo) {
   const Folder folder;
   const Scene scene = load("10-better-speakers");
   for (int round = 0; round < 20; ++round) {
-    const std::filesystem::path file = folder.path / ("s" + std::to_string(round));
+    const std::filesystem::path file = folder / ("s" + std::to_string(round));
     int gate[2];
     ASSERT_EQ(pipe(gate), 0);
     pid_t children[2];
@@ -394,7 +383,7 @@ TEST(Study, IsBegunByOneOfTwo) {
     EXPECT_EQ(codes, 1) << "one begins, one is told";
     EXPECT_EQ(Study(file, plugins()).summary().rounds.size(), 1u);
   }
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path))
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
     EXPECT_EQ(entry.path().filename().string().find(".new"), std::string::npos);
 }
 
@@ -407,7 +396,7 @@ TEST(Study, CanBeLookedAtWhereNothingCanBeWritten) {
   const perms looks = perms::owner_read | perms::group_read | perms::others_read;
   const perms enters = perms::owner_exec | perms::group_exec | perms::others_exec;
   std::filesystem::permissions(file, looks);
-  std::filesystem::permissions(folder.path, looks | enters);
+  std::filesystem::permissions(folder.path(), looks | enters);
   const pid_t child = fork();
   if (child == 0) {
     // Permissions don't hold back the superuser.
@@ -429,7 +418,7 @@ TEST(Study, CanBeLookedAtWhereNothingCanBeWritten) {
   }
   int status = 0;
   waitpid(child, &status, 0);
-  std::filesystem::permissions(folder.path, perms::owner_all);
+  std::filesystem::permissions(folder.path(), perms::owner_all);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
@@ -437,7 +426,7 @@ TEST(Study, CanBeLookedAtWhereNothingCanBeWritten) {
 TEST(Study, NoticesThatItsFileIsGone) {
   const Folder folder;
   for (const bool replaced : {false, true}) {
-    const auto file = folder.path / "s";
+    const auto file = folder / "s";
     Study study = begun(file);
     std::size_t reached = 0;
     OptimizeOptions options = one_thread();

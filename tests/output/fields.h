@@ -13,8 +13,11 @@
 #include <vector>
 
 #include "delos/field/field.h"
+#include "support/folder.h"
 
 namespace delos {
+
+using test::Folder;
 
 inline constexpr double kBlind = std::numeric_limits<double>::infinity();
 
@@ -84,30 +87,6 @@ inline Field scattered(const std::vector<double>& values) {
   add_part(field, {"", 0, 0, ScatteredShape{}}, points, values);
   return field;
 }
-
-/// A folder of its own, gone with the object.
-class Folder {
- public:
-  Folder() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "delos-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
-  }
-  [[nodiscard]] std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(path_), {}));
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "delos/device/faults.h"
+#include "support/folder.h"
 
 namespace delos {
 namespace {
@@ -31,15 +32,6 @@ std::string error_of(const std::string& id) {
   const std::string start = load.path.string() + " ";
   if (!load.error.starts_with(start)) return load.error;
   return load.error.substr(start.size());
-}
-
-/// An empty folder of this test's own.
-fs::path fresh_folder(const std::string& name) {
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("delos_registry_test_" + name);
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
 }
 
 TEST(PluginRegistry, OpensAGoodPlugin) {
@@ -142,13 +134,13 @@ TEST(BadPlugin, NotALibrary) {
 
 TEST(BadPlugin, CutShort) {
   // A download or a build that broke off, at every quarter and within the header.
-  const fs::path folder = fresh_folder("cut");
+  const test::Folder folder;
   const auto size = fs::file_size(kFolder / "good.so");
   for (const auto kept : {size * 3 / 4, size / 2, size / 4, std::uintmax_t{40}}) {
     const fs::path file = folder / ("cut" + std::to_string(kept) + ".so");
     fs::copy_file(kFolder / "good.so", file);
     fs::resize_file(file, kept);
-    EXPECT_EQ(PluginRegistry({folder}).find(file.stem().string()).error,
+    EXPECT_EQ(PluginRegistry({folder.path()}).find(file.stem().string()).error,
               file.string() +
                   " is not a shared library; rebuild it with delos_add_device() or "
                   "remove it");
@@ -169,8 +161,8 @@ TEST(BadPlugin, Garbled) {
     section.sh_size = std::uint64_t{1} << 62;
     std::memcpy(place, &section, sizeof section);
   }
-  const fs::path file = fresh_folder("garbled") / "garbled.so";
-  std::ofstream(file, std::ios::binary) << bytes;
+  const test::Folder folder;
+  const fs::path file = folder.write("garbled.so", bytes);
   EXPECT_EQ(PluginRegistry({file.parent_path()}).find("garbled").error,
             file.string() +
                 " is not a shared library; rebuild it with "
@@ -249,14 +241,14 @@ TEST(PluginRegistry, BadOnesDontDisturbTheOthers) {
 }
 
 TEST(PluginRegistry, TakesTheFirstFolderThatHasIt) {
-  const fs::path first = fresh_folder("first");
-  std::ofstream(first / "good.so") << "A broken one hides the good one behind it.\n";
+  const test::Folder first;
+  first.write("good.so", "A broken one hides the good one behind it.\n");
   fs::create_directories(first / "folder.so");
-  std::ofstream(first / "notes.txt") << "Not a plugin.\n";
-  PluginRegistry plugins({first, kFolder});
+  first.write("notes.txt", "Not a plugin.\n");
+  PluginRegistry plugins({first.path(), kFolder});
   EXPECT_EQ(plugins.find("good").path, first / "good.so");
   EXPECT_EQ(plugins.find("stripped").path, kFolder / "stripped.so");
-  EXPECT_EQ(PluginRegistry({first}).ids(), std::vector<std::string>{"good"});
+  EXPECT_EQ(PluginRegistry({first.path()}).ids(), std::vector<std::string>{"good"});
 }
 
 TEST(PluginFolders, ExtraThenEnvironmentThenBesideTheKernel) {

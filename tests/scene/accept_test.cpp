@@ -147,15 +147,14 @@ TEST(Accept, ReadsSeveralSetsWithOrientationsBeside) {
 }
 
 TEST(Accept, ReadsPointFilesBesideTheScene) {
-  const Folder folder("accept");
-  std::ofstream(folder.path / "z.ptl")
-      << "; a comment\n\n 1 2 3\n4\t5 6 ; here too\r\n#x\n";
-  std::ofstream(folder.path / "z.csv") << "\xEF\xBB\xBFX, Y, Z\n1, 2,3\n-1e-1,+2,.5\n";
-  std::ofstream(folder.path / "scene.yaml") << good_with(
+  const Folder folder;
+  std::ofstream(folder / "z.ptl") << "; a comment\n\n 1 2 3\n4\t5 6 ; here too\r\n#x\n";
+  std::ofstream(folder / "z.csv") << "\xEF\xBB\xBFX, Y, Z\n1, 2,3\n-1e-1,+2,.5\n";
+  std::ofstream(folder / "scene.yaml") << good_with(
       "sample:\n  volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}",
       "sample: [{file: z.ptl}, {file: z.csv}]");
   Diagnostics diagnostics;
-  const auto s = load_scene(folder.path / "scene.yaml", {}, plugins(), diagnostics);
+  const auto s = load_scene(folder / "scene.yaml", {}, plugins(), diagnostics);
   for (const Diagnostic& d : diagnostics) ADD_FAILURE() << to_string(d);
   ASSERT_TRUE(s);
   const auto& ptl = std::get<PointSampling>(s->samples[0].shape);

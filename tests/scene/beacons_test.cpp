@@ -73,11 +73,11 @@ TEST(Beacons, HaveNormalsConesRangesAndWeights) {
 }
 
 TEST(Beacons, AreReadFromFiles) {
-  const Folder folder("beacons");
-  std::ofstream(folder.path / "leds.csv") << "x,y,z,nx,ny,nz\n1,2,3\n4,5,6,0,0,-1\n";
+  const Folder folder;
+  std::ofstream(folder / "leds.csv") << "x,y,z,nx,ny,nz\n1,2,3\n4,5,6,0,0,-1\n";
   Diagnostics findings;
   const auto scene = parse_scene(carried("  c: {file: leds.csv}\n"),
-                                 folder.path / "scene.yaml", {}, plugins(), findings);
+                                 folder / "scene.yaml", {}, plugins(), findings);
   ASSERT_TRUE(scene);
   const auto& list = std::get<BeaconList>(scene->beacons[0].layout);
   EXPECT_EQ(list.file, "leds.csv");
@@ -87,23 +87,23 @@ TEST(Beacons, AreReadFromFiles) {
 }
 
 TEST(Beacons, MalformedRowsAreNamed) {
-  const Folder folder("malformed");
-  std::ofstream(folder.path / "leds.csv") << "1,2,3\n1,2\n1,x,3\n1,2,3,0,0,0\n";
+  const Folder folder;
+  std::ofstream(folder / "leds.csv") << "1,2,3\n1,2\n1,x,3\n1,2,3,0,0,0\n";
   Diagnostics findings;
-  EXPECT_FALSE(parse_scene(carried("  c: {file: leds.csv}\n"),
-                           folder.path / "scene.yaml", {}, plugins(), findings));
+  EXPECT_FALSE(parse_scene(carried("  c: {file: leds.csv}\n"), folder / "scene.yaml",
+                           {}, plugins(), findings));
   ASSERT_EQ(findings.size(), 2u);
-  const std::string file = (folder.path / "leds.csv").string();
+  const std::string file = (folder / "leds.csv").string();
   EXPECT_EQ(to_string(findings[0]),
             file +
                 ":2:3: error: expected 3 numbers x,y,z or 6 numbers x,y,z,nx,ny,nz or "
                 "7 numbers x,y,z,nx,ny,nz,weight, found 2");
   EXPECT_EQ(to_string(findings[1]),
             file + ":3:3: error: 'x' isn't a number; rows are x,y,z in metres");
-  std::ofstream(folder.path / "leds.csv") << "1,2,3,0,0,0\n1,2,3,0,0,1,2\n";
+  std::ofstream(folder / "leds.csv") << "1,2,3,0,0,0\n1,2,3,0,0,1,2\n";
   findings.clear();
-  EXPECT_FALSE(parse_scene(carried("  c: {file: leds.csv}\n"),
-                           folder.path / "scene.yaml", {}, plugins(), findings));
+  EXPECT_FALSE(parse_scene(carried("  c: {file: leds.csv}\n"), folder / "scene.yaml",
+                           {}, plugins(), findings));
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_NE(
       to_string(findings[0]).find("leds.csv: beacon 0: the normal has length zero"),
@@ -215,23 +215,22 @@ TEST(CarriedDevice, MistakesAreSaid) {
 class Extends : public testing::Test {
  protected:
   void write(const std::string& name, const std::string& text) {
-    std::filesystem::create_directories((folder_.path / name).parent_path());
-    std::ofstream(folder_.path / name) << text;
+    folder_.write(name, text);
   }
   std::optional<Scene> load(const std::string& name,
                             const std::vector<Override>& changes = {}) {
     findings_.clear();
     Diagnostics found;
-    auto scene = load_scene(folder_.path / name, changes, plugins(), found);
+    auto scene = load_scene(folder_ / name, changes, plugins(), found);
     for (const Diagnostic& d : found) {
       std::string text = to_string(d);
-      const std::string prefix = folder_.path.string() + "/";
+      const std::string prefix = folder_.path().string() + "/";
       if (text.starts_with(prefix)) text.erase(0, prefix.size());
       findings_.push_back(text);
     }
     return scene;
   }
-  Folder folder_{"extends"};
+  Folder folder_;
   std::vector<std::string> findings_;
 };
 
@@ -288,11 +287,11 @@ TEST_F(Extends, MistakesAreSaid) {
   write("loop.yaml", "extends: s.yaml\n");
   EXPECT_EQ(only("extends: none.yaml\n"),
             "s.yaml:1:10: error: extends: there is no readable scene '" +
-                (folder_.path / "none.yaml").string() + "': No such file or directory");
-  std::filesystem::create_symlink("self.yaml", folder_.path / "self.yaml");
+                (folder_ / "none.yaml").string() + "': No such file or directory");
+  std::filesystem::create_symlink("self.yaml", folder_ / "self.yaml");
   EXPECT_EQ(only("extends: self.yaml\n"),
             "s.yaml:1:10: error: extends: there is no readable scene '" +
-                (folder_.path / "self.yaml").string() +
+                (folder_ / "self.yaml").string() +
                 "': Too many levels of symbolic links");
   EXPECT_EQ(only("extends: list.yaml\n"),
             "s.yaml:1:10: error: extends: 'list.yaml' isn't a scene");

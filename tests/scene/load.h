@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "delos/scene/io.h"
+#include "support/folder.h"
 
 namespace delos::test {
 
@@ -73,20 +74,5 @@ inline Scene accepted(const std::string& text,
 
 /// kGood with more lines.
 inline Scene scene_with(const std::string& lines) { return accepted(kGood + lines); }
-
-/// A folder of its own that is removed with this object.
-class Folder {
- public:
-  explicit Folder(const std::string& name)
-      : path(std::filesystem::path(DELOS_TEST_SCRATCH) / name) {
-    std::filesystem::remove_all(path);
-    std::filesystem::create_directories(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const std::filesystem::path path;
-};
 
 }  // namespace delos::test

@@ -56,10 +56,9 @@ TEST(Path, HasSamplesAtEqualDistances) {
 }
 
 TEST(Path, IsReadFromAFile) {
+  const Folder folder;
   const std::filesystem::path file =
-      std::filesystem::path(DELOS_TEST_SCRATCH) / "walk.csv";
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream(file) << "x,y,z\n0,0,1\n0,2,1\n0,2,3\n";
+      folder.write("walk.csv", "x,y,z\n0,0,1\n0,2,1\n0,2,3\n");
   expect_points(along(file.string()), {{0, 0, 1}, {0, 2, 1}, {0, 2, 3}});
   expect_points(along("{file: " + file.string() + ", count: 5}"),
                 {{0, 0, 1}, {0, 1, 1}, {0, 2, 1}, {0, 2, 2}, {0, 2, 3}});

@@ -13,14 +13,14 @@ namespace {
 
 std::vector<std::string> findings_of_file(const std::string& name,
                                           const std::string& content) {
-  const Folder folder("points");
-  std::ofstream(folder.path / name, std::ios::binary) << content;
+  const Folder folder;
+  std::ofstream(folder / name, std::ios::binary) << content;
   Diagnostics diagnostics;
   EXPECT_FALSE(
       parse_scene(good_with("volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: "
                             "0.04}",
                             "file: " + name),
-                  folder.path / "scene.yaml", {}, plugins(), diagnostics));
+                  folder / "scene.yaml", {}, plugins(), diagnostics));
   std::vector<std::string> findings;
   for (Diagnostic& d : diagnostics) {
     d.where.file = std::filesystem::path(d.where.file).filename();

@@ -60,10 +60,8 @@ inline const std::string kOpenTetrahedron =
 /// Loads scene texts beside files.
 class RoomFolder {
  public:
-  explicit RoomFolder(const std::string& name) : folder_(name) {}
-
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path / name, std::ios::binary) << text;
+    folder_.write(name, text);
   }
 
   /// Findings name files without the folder.
@@ -71,9 +69,9 @@ class RoomFolder {
                             const MeshProgress& progress = {}) const {
     Diagnostics diagnostics;
     Loaded loaded;
-    loaded.scene = parse_scene(text, folder_.path / "scene.yaml", {}, plugins(),
+    loaded.scene = parse_scene(text, folder_.path() / "scene.yaml", {}, plugins(),
                                diagnostics, progress);
-    const std::string path = folder_.path.string() + '/';
+    const std::string path = folder_.path().string() + '/';
     for (const Diagnostic& d : diagnostics) {
       std::string finding = to_string(d);
       for (std::size_t at; (at = finding.find(path)) != std::string::npos;)

@@ -242,7 +242,7 @@ std::string with_mesh(const std::string& keys) {
 
 /// The geometry room words what is wrong with a file; the scene says where it is named.
 TEST(RoomRefusal, OfMeshFilesIsLocated) {
-  const RoomFolder folder("meshes");
+  const RoomFolder folder;
   folder.write("empty.off", "");
   folder.write("nothing.off", "OFF\n0 0 0\n");
   folder.write("nan.off", with(kTetrahedron, "0 0 1", "0 0 nan"));
@@ -274,7 +274,7 @@ TEST(RoomRefusal, OfMeshFilesIsLocated) {
 }
 
 TEST(RoomRefusal, OfRegionsWithoutInside) {
-  const RoomFolder folder("regions");
+  const RoomFolder folder;
   folder.write("open.off", kOpenTetrahedron);
   EXPECT_EQ(
       folder.load(room_with("stage: {", "tent: {mesh: open.off}\n  stage: {")).findings,
@@ -285,7 +285,7 @@ TEST(RoomRefusal, OfRegionsWithoutInside) {
 }
 
 TEST(RoomRefusal, OfRaysThatMiss) {
-  const RoomFolder folder("miss");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   std::string text = room_with(
       "regions:",
@@ -300,7 +300,7 @@ TEST(RoomRefusal, OfRaysThatMiss) {
 }
 
 TEST(RoomRefusal, OfScalesBeyondDoubles) {
-  const RoomFolder folder("beyond");
+  const RoomFolder folder;
   folder.write("t.off", with(kTetrahedron, "0 0 1", "0 0 1e10"));
   EXPECT_EQ(folder.load(with_mesh("t.off, scale: 1e300")).findings,
             std::vector<std::string>{
@@ -317,7 +317,7 @@ std::vector<std::string> warned(const RoomFolder& folder, const std::string& tex
 }
 
 TEST(RoomWarning, AsksForMillimetres) {
-  const RoomFolder folder("large");
+  const RoomFolder folder;
   folder.write("t.off", with(kTetrahedron, "0 0 1", "0 0 4200"));
   const std::vector<std::string> warning = {
       "scene.yaml:27:12: warning: occluders.4.mesh: 't.off' extends over 4200 m; if it "
@@ -337,7 +337,7 @@ TEST(RoomWarning, AsksForMillimetres) {
 
 /// Counted by hand on the tetrahedron: it has 4 triangles and 6 edges.
 TEST(RoomWarning, CountsDefectsAndSaysWhatFollows) {
-  const RoomFolder folder("defects");
+  const RoomFolder folder;
   const auto of = [&](const std::string& mesh) {
     folder.write("t.off", mesh);
     const auto found = warned(folder, with_mesh("t.off"));
@@ -379,7 +379,7 @@ TEST(RoomWarning, CountsDefectsAndSaysWhatFollows) {
 }
 
 TEST(RoomWarning, IsGivenOnceAFile) {
-  const RoomFolder folder("twice");
+  const RoomFolder folder;
   folder.write("t.off", kOpenTetrahedron);
   EXPECT_EQ(warned(folder, with_mesh("t.off}\n  - {mesh: t.off, scale: 2")).size(), 1u);
 }

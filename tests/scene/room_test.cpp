@@ -158,7 +158,7 @@ const std::string kHull =
     "[0, 0, 0.5]}}\nregions:";
 
 TEST(Room, MountsDevicesOnMeshes) {
-  const RoomFolder folder("hull");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   const auto pose = [&](const std::string& coordinates, const std::string& hull) {
     std::string text = room_with("regions:", hull);
@@ -191,7 +191,7 @@ TEST(Room, MountsDevicesOnMeshes) {
 }
 
 TEST(Room, SaysWhereAMovedDeviceLeavesItsMesh) {
-  const RoomFolder folder("leaves");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   std::string text = room_with("regions:", kHull);
   text = with(text, "on: ceiling, coordinates: [0.5, 25 %]",
@@ -207,7 +207,7 @@ TEST(Room, SaysWhereAMovedDeviceLeavesItsMesh) {
 }
 
 TEST(Room, SamplesTheVerticesOfAMesh) {
-  const RoomFolder folder("mesh");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   const std::string volume =
       "volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}";
@@ -228,7 +228,7 @@ TEST(Room, SamplesTheVerticesOfAMesh) {
 }
 
 TEST(Room, ReadsAMeshOnce) {
-  const RoomFolder folder("once");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   const Scene s =
       accepted(folder.load(room_with("skin",
@@ -244,7 +244,7 @@ TEST(Room, ReadsAMeshOnce) {
 }
 
 TEST(Room, TellsHowMuchOfAMeshIsRead) {
-  const RoomFolder folder("progress");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   std::vector<double> parts;
   const Loaded loaded = folder.load(
@@ -285,7 +285,7 @@ TEST(Room, IsReachedByOverrides) {
 }
 
 TEST(Room, SurvivesWritingAndReading) {
-  const RoomFolder folder("round");
+  const RoomFolder folder;
   folder.write("t.off", kTetrahedron);
   std::string text = room_with("regions:", kHull);
   text = with(text, "pit: {prism",

@@ -202,19 +202,18 @@ TEST(RoundTrip, ComparesMatricesOfOtherSizes) {
 }
 
 TEST(RoundTrip, KeepsTheNameOfAPointFile) {
-  const Folder folder("round_trip");
-  std::ofstream(folder.path / "z plane.ptl") << "1 2 3\n";
+  const Folder folder;
+  std::ofstream(folder / "z plane.ptl") << "1 2 3\n";
   const std::string text =
       good_with("volume: {min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.04}",
                 "file: z plane.ptl");
   Diagnostics diagnostics;
   const auto scene =
-      parse_scene(text, folder.path / "scene.yaml", {}, plugins(), diagnostics);
+      parse_scene(text, folder / "scene.yaml", {}, plugins(), diagnostics);
   ASSERT_TRUE(scene);
   const std::string written = write_scene(*scene);
   EXPECT_NE(written.find("file: z plane.ptl"), std::string::npos) << written;
-  EXPECT_EQ(parse_scene(written, folder.path / "b.yaml", {}, plugins(), diagnostics),
-            scene);
+  EXPECT_EQ(parse_scene(written, folder / "b.yaml", {}, plugins(), diagnostics), scene);
 }
 
 TEST(RoundTrip, KeepsTheScenesOfTheRepository) {
