@@ -274,7 +274,7 @@ Row row_of(Field field, const LoadedScene& loaded, const std::optional<Spec>& be
       met_specs(specs_of(command.specs, loaded), loaded, row.field, options, interrupt);
   const auto& devices = loaded.system.devices;
   if (std::any_of(devices.begin(), devices.end(),
-                  [](const PlacedDevice& d) { return d.carried() != nullptr; })) {
+                  [](const PlacedDevice& d) { return d.sees_beacons(); })) {
     row.use = beacon_use(loaded.system,
                          field_poses(row.field.samples, loaded.scene.orientations),
                          options.threads);

@@ -51,7 +51,7 @@ std::vector<Eigen::Vector3d> towards_devices(const System& system,
     const PlacedDevice& device = system.devices[i];
     const Span span = device.device->span();
     if (device.carried() || (span != Span::point && span != Span::pose)) return {};
-    all.push_back(device.X_WS().p - report.pose.p);
+    all.emplace_back(device.X_WS().p - report.pose.p);
   }
   return all;
 }

@@ -86,4 +86,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace delos::cli
 
-int main(int argc, char** argv) { return delos::cli::run(argc, argv); }
+// What run() can't say ends the program.
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
+  return delos::cli::run(argc, argv);
+}

@@ -61,8 +61,8 @@ Json to_json(const PointReport& report, const std::optional<Mending>& mending,
   json["fusion"] = to_string(loaded.system.fusion);
   json["solver"] = to_string(report.solver);
   json["covariance_of"] = to_string(state.of);
-  json["state"] = covariance_layout(loaded.scene).names();
-  json["units"] = covariance_layout(loaded.scene).units();
+  json["state"] = loaded.system.motion.layout.names();
+  json["units"] = loaded.system.motion.layout.units();
   json["inside"] = report.inside;
   json["observable"] = state.status == RiccatiStatus::converged;
   json["unobservable_directions"] = rows(state.unobservable.transpose());
@@ -125,6 +125,24 @@ void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
   }
 }
 
+/// What is estimated besides the motion: clocks, biases.
+void print_extra_states(std::ostream& out, const FusedState& state,
+                        const System& system) {
+  const StateLayout& layout = system.motion.layout;
+  const std::vector<std::string> names = layout.names(), units = layout.units();
+  const StateMatrix P =
+      with_infinities(state.covariance(system.covariance), state.unobservable);
+  for (auto i = static_cast<std::size_t>(layout.size()) - layout.extra.size();
+       i < names.size(); ++i) {
+    const double variance =
+        P(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
+    out << "  " << cell(names[i], 18)
+        << (std::isfinite(variance) ? format_quantity(std::sqrt(variance), units[i])
+                                    : std::string("not observed"))
+        << "\n";
+  }
+}
+
 /// What each device is to the point.
 void print_shares(std::ostream& out, const PointReport& report,
                   const std::string& metric) {
@@ -175,6 +193,7 @@ void print(std::ostream& out, const PointReport& report,
                                    : std::string("not observed"))
         << "\n";
   }
+  print_extra_states(out, state, loaded.system);
   print_shares(out, report, loaded.metric.name);
   const std::vector<SeenBeacon> seen = seen_beacons(loaded.system, report.pose);
   if (!seen.empty()) out << "Beacons in view\n";

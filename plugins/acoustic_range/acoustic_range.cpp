@@ -11,18 +11,18 @@
 
 namespace {
 
+using delos::number;
+
 class AcousticRange final : public delos::RangeDevice {
  public:
   static constexpr delos::ParamSpec kParams[] = {
-      {.name = "r",
-       .initial = 0.005,
-       .lower = 0,
-       .help = "Variance of the range relative to its square; 0 is a perfect range."},
-      {.name = "reach",
-       .unit = "m",
-       .initial = 1e6,
-       .lower = 0,
-       .help = "Farthest microphone that is heard; the default hears all."},
+      number("r", "1",
+             "Variance of the range relative to its square; 0 is a perfect range.")
+          .initially(0.005)
+          .at_least(0),
+      number("reach", "m", "Farthest microphone that is heard; the default hears all.")
+          .initially(1e6)
+          .at_least(0),
   };
 
   explicit AcousticRange(const delos::ParamValues& p)

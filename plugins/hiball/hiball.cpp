@@ -6,6 +6,7 @@
 // tracking system, Presence 10(1); Allen (2007), Comparing the expected performance of
 // tracking and motion capture systems, UNC Chapel Hill, §5.1.1 and ch. 7. The README
 // says of every constant where it comes from.
+#include <delos/device/beacon_device.h>
 #include <delos/plugin.h>
 
 #include <Eigen/Geometry>
@@ -20,6 +21,7 @@
 
 namespace {
 
+using delos::choice, delos::matrix, delos::number;
 using Eigen::Vector3d;
 
 /// Axes at the tilt of a regular dodecahedron's faces, atan 2 from +z, and +z itself.
@@ -53,114 +55,75 @@ std::vector<Vector3d> axes_of(const delos::ParamValues& p) {
   return axes;
 }
 
-class HiBall final : public delos::Device {
+class HiBall final : public delos::BeaconDevice<HiBall, hiball::View, 2> {
  public:
   static constexpr delos::ParamSpec kParams[] = {
-      {.name = "layout",
-       .kind = delos::ParamKind::choice,
-       .text = "six",
-       .choices = "six|four|custom",
-       .help = "Photodiodes: one up and five or three around it at 63.4 degrees, or "
-               "`axes`."},
-      {.name = "axes",
-       .kind = delos::ParamKind::matrix,
-       .text = "[[0, 0, 1]]",
-       .help = "Axes of a custom layout in the device's frame, [[x, y, z], …]."},
-      {.name = "views",
-       .kind = delos::ParamKind::choice,
-       .text = "adjacent",
-       .choices = "primary|adjacent|all_pairs",
-       .help = "Lenses that a photodiode looks through: its own, those nearby too, or "
-               "all."},
-      {.name = "adjacent_angle",
-       .unit = "rad",
-       .initial = 1.117,
-       .lower = 0,
-       .upper = std::numbers::pi,
-       .help = "Greatest angle of axes that `views: adjacent` calls nearby."},
-      {.name = "focal",
-       .unit = "m",
-       .initial = 0.0382,
-       .lower = 1e-4,
-       .upper = 10,
-       .scale = delos::ParamScale::log,
-       .help = "Distance from a lens to the photodiode opposite."},
-      {.name = "field",
-       .unit = "rad",
-       .initial = 0.104719755119659775,
-       .lower = 1e-4,
-       .upper = 3.1,
-       .scale = delos::ParamScale::log,
-       .help = "Field of view of a photodiode through its own lens, edge to edge."},
-      {.name = "noise",
-       .kind = delos::ParamKind::choice,
-       .text = "constant",
-       .choices = "constant|photodiode",
-       .help = "Whether the noise is the same everywhere or follows from the light."},
-      {.name = "r",
-       .unit = "1",
-       .initial = 2.1e-5,
-       .lower = 1e-30,
-       .scale = delos::ParamScale::log,
-       .help = "Variance of u and of v, half-widths squared, for noise: constant."},
-      {.name = "light",
-       .unit = "s",
-       .initial = 1e-4,
-       .lower = 1e-7,
-       .upper = 1,
-       .scale = delos::ParamScale::log,
-       .help = "How long the light of a sighting is integrated."},
-      {.name = "sum",
-       .kind = delos::ParamKind::choice,
-       .text = "linear",
-       .choices = "linear|independent",
-       .help =
-           "How the noises of an axis's two ends add up; linear is the worst case."},
-      {.name = "reading",
-       .kind = delos::ParamKind::choice,
-       .text = "variance",
-       .choices = "variance|published",
-       .help =
-           "R is the square of the noise; or, as the published figures have it, the "
-           "noise itself."},
-      {.name = "rf",
-       .unit = "ohm",
-       .initial = 2e5,
-       .lower = 1,
-       .help = "Feedback resistance of the amplifiers."},
-      {.name = "rie",
-       .unit = "ohm",
-       .initial = 7500,
-       .lower = 1,
-       .help = "Interelectrode resistance of the photodiode."},
-      {.name = "vn",
-       .initial = 4.5e-9,
-       .lower = 0,
-       .help = "Voltage noise of an amplifier, volts per root hertz."},
-      {.name = "in",
-       .initial = 6e-13,
-       .lower = 0,
-       .help = "Current noise of an amplifier, amperes per root hertz."},
-      {.name = "bandwidth",
-       .unit = "1/s",
-       .initial = 1.6e5,
-       .lower = 1,
-       .help = "Bandwidth of the one-pole filter."},
-      {.name = "gap",
-       .unit = "s",
-       .initial = 2e-5,
-       .lower = 0,
-       .help = "Time between the light and the dark window."},
-      {.name = "current",
-       .unit = "A m^2",
-       .initial = 5.361239747e-6,
-       .lower = 1e-30,
-       .help = "Photocurrent of an LED one metre away, head on."},
-      {.name = "temperature",
-       .unit = "K",
-       .initial = 300,
-       .lower = 1,
-       .help = "Temperature of photodiode and amplifiers."},
+      choice("layout", "six|four|custom",
+             "Photodiodes: one up and five or three around it at 63.4 degrees, or "
+             "`axes`.")
+          .initially("six"),
+      matrix("axes", "Axes of a custom layout in the device's frame, [[x, y, z], …].")
+          .initially("[[0, 0, 1]]"),
+      choice("views", "primary|adjacent|all_pairs",
+             "Lenses that a photodiode looks through: its own, those nearby too, or "
+             "all.")
+          .initially("adjacent"),
+      number("adjacent_angle", "rad",
+             "Greatest angle of axes that `views: adjacent` calls nearby.")
+          .initially(1.117)
+          .between(0, std::numbers::pi),
+      number("focal", "m", "Distance from a lens to the photodiode opposite.")
+          .initially(0.0382)
+          .between(1e-4, 10)
+          .by_factors(),
+      number("field", "rad",
+             "Field of view of a photodiode through its own lens, edge to edge.")
+          .initially(0.104719755119659775)
+          .between(1e-4, 3.1)
+          .by_factors(),
+      choice("noise", "constant|photodiode",
+             "Whether the noise is the same everywhere or follows from the light.")
+          .initially("constant"),
+      number("r", "1",
+             "Variance of u and of v, half-widths squared, for noise: constant.")
+          .initially(2.1e-5)
+          .at_least(1e-30)
+          .by_factors(),
+      number("light", "s", "How long the light of a sighting is integrated.")
+          .initially(1e-4)
+          .between(1e-7, 1)
+          .by_factors(),
+      choice("sum", "linear|independent",
+             "How the noises of an axis's two ends add up; linear is the worst case.")
+          .initially("linear"),
+      choice("reading", "variance|published",
+             "R is the square of the noise; or, as the published figures have it, the "
+             "noise itself.")
+          .initially("variance"),
+      number("rf", "ohm", "Feedback resistance of the amplifiers.")
+          .initially(2e5)
+          .at_least(1),
+      number("rie", "ohm", "Interelectrode resistance of the photodiode.")
+          .initially(7500)
+          .at_least(1),
+      number("vn", "1", "Voltage noise of an amplifier, volts per root hertz.")
+          .initially(4.5e-9)
+          .at_least(0),
+      number("in", "1", "Current noise of an amplifier, amperes per root hertz.")
+          .initially(6e-13)
+          .at_least(0),
+      number("bandwidth", "1/s", "Bandwidth of the one-pole filter.")
+          .initially(1.6e5)
+          .at_least(1),
+      number("gap", "s", "Time between the light and the dark window.")
+          .initially(2e-5)
+          .at_least(0),
+      number("current", "A m^2", "Photocurrent of an LED one metre away, head on.")
+          .initially(5.361239747e-6)
+          .at_least(1e-30),
+      number("temperature", "K", "Temperature of photodiode and amplifiers.")
+          .initially(300)
+          .at_least(1),
   };
 
   explicit HiBall(const delos::ParamValues& p)
@@ -207,71 +170,36 @@ class HiBall final : public delos::Device {
     return names_[static_cast<std::size_t>(view)];
   }
 
-  bool observe(const delos::Target& target, delos::Observation& out) const override {
-    for (int view = 0; view < views(); ++view) {
-      if (observe_view(view, target, out)) return true;
-    }
-    return false;
+  [[nodiscard]] const hiball::View& opening(int view) const {
+    return views_[static_cast<std::size_t>(view)];
   }
 
-  bool observe_view(int view, const delos::Target& target,
-                    delos::Observation& out) const override {
-    const hiball::View& w = views_[static_cast<std::size_t>(view)];
-    const Vector3d way = w.lens_p - target.p_ST;  // c − p, from the LED to the lens
-    const hiball::Spot spot = hiball::project(w, way.x(), way.y(), way.z());
-    if (!spot.seen) return false;
-    const bool all_around = target.n_ST.isZero(0);
-    if (!all_around && !(target.n_ST.dot(way) > 0)) return false;
-    out.z.resize(2);
-    out.z << spot.u, spot.v;
-    out.H.resize(2, 3);
-    for (int i = 0; i < 3; ++i) {
-      out.H(0, i) = spot.scale * (w.e_u(i) + spot.lean_u * w.n(i));
-      out.H(1, i) = spot.scale * (w.e_v(i) + spot.lean_v * w.n(i));
-    }
-    out.R.setZero(2, 2);
+  template <class T>
+  void read(const hiball::View& view, const delos::Point<T>& p,
+            const delos::Point<double>& n, delos::Reading<T, 2>& out) const {
+    const delos::Point<T> way = {view.lens_p.x() - p.x, view.lens_p.y() - p.y,
+                                 view.lens_p.z() - p.z};
+    hiball::project(view, way, out);
+    const double facing = n.x * plain(way.x) + n.y * plain(way.y) + n.z * plain(way.z);
+    out.inside = chosen(all_around(n) | (facing > 0), out.inside, T(-1));
+  }
+
+  void noise(const hiball::View& view, const delos::Point<double>& p,
+             const delos::Point<double>& n, const double (&z)[2],
+             double (&variance)[2]) const {
     if (constant_) {
-      out.R.diagonal().setConstant(r_);
-      return true;
+      variance[0] = variance[1] = r_;
+      return;
     }
+    const Vector3d way = view.lens_p - Vector3d(p.x, p.y, p.z);
     const double distance = way.norm();
-    const double cosine = all_around ? 1.0 : target.n_ST.dot(way) / distance;
-    out.R(0, 0) = variance(spot.u, cosine, distance);
-    out.R(1, 1) = variance(spot.v, cosine, distance);
-    return true;
-  }
-
-  bool observe_view_lanes(int view, const delos::BeaconLanes& beacons,
-                          delos::RowLanes& out) const override {
-    const hiball::View w = views_[static_cast<std::size_t>(view)];
-    const auto &p = beacons.p, &n = beacons.n;
-    double u[delos::kLanes], v[delos::kLanes];
-    out.rows = 2;
-    for (int l = 0; l < beacons.count; ++l) {
-      const double x = w.lens_p.x() - p[0][l], y = w.lens_p.y() - p[1][l],
-                   z = w.lens_p.z() - p[2][l];
-      const hiball::Spot spot = hiball::project(w, x, y, z);
-      const double facing = n[0][l] * x + n[1][l] * y + n[2][l] * z;
-      const bool all_around = (n[0][l] == 0) & (n[1][l] == 0) & (n[2][l] == 0);
-      out.seen[l] = (spot.seen & (all_around | (facing > 0))) ? 1.0 : 0.0;
-      for (int i = 0; i < 3; ++i) {
-        out.H[0][i][l] = spot.scale * (w.e_u(i) + spot.lean_u * w.n(i));
-        out.H[1][i][l] = spot.scale * (w.e_v(i) + spot.lean_v * w.n(i));
-      }
-      u[l] = spot.u, v[l] = spot.v;
-      out.variance[0][l] = out.variance[1][l] = r_;
+    const double cosine =
+        all_around(n) ? 1.0 : Vector3d(n.x, n.y, n.z).dot(way) / distance;
+    for (int i = 0; i < 2; ++i) {
+      const double noise =
+          hiball::position_noise(diode_, sum_, gain_, z[i], cosine, distance);
+      variance[i] = published_ ? noise : noise * noise;
     }
-    if (constant_) return true;
-    for (int l = 0; l < beacons.count; ++l) {
-      if (out.seen[l] == 0) continue;
-      const Vector3d way = w.lens_p - Vector3d(p[0][l], p[1][l], p[2][l]);
-      const Vector3d normal(n[0][l], n[1][l], n[2][l]);
-      const double distance = way.norm();
-      const double cosine = normal.isZero(0) ? 1.0 : normal.dot(way) / distance;
-      out.variance[0][l] = variance(u[l], cosine, distance);
-      out.variance[1][l] = variance(v[l], cosine, distance);
-    }
-    return true;
   }
 
  private:
@@ -286,10 +214,8 @@ class HiBall final : public delos::Device {
     }
   }
 
-  [[nodiscard]] double variance(double x, double cosine, double distance) const {
-    const double noise =
-        hiball::position_noise(diode_, sum_, gain_, x, cosine, distance);
-    return published_ ? noise : noise * noise;
+  static bool all_around(const delos::Point<double>& n) {
+    return (n.x == 0) & (n.y == 0) & (n.z == 0);
   }
 
   double focal_, half_width_;  // m

@@ -9,12 +9,12 @@
 // which the photodiode reads in half-widths w = f tan(field/2) along its axes e_u, e_v:
 //
 //   u = (q + (f/2) n_i)·e_u / w,   v = (q + (f/2) n_i)·e_v / w,   seen for |u|, |v| ≤ 1
-//   ∂q/∂p = −t I + (c − p) (∂t/∂p)ᵀ,   ∂t/∂p = t n_i / ((c − p)·n_i)
 #pragma once
 
-#include <delos/device/device.h>
+#include <delos/device/reading.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -41,27 +41,20 @@ struct Opening {
 /// Between two directions, radians.
 [[nodiscard]] double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Where light falls.
-struct Spot {
-  bool seen;
-  double u, v;
-  /// ∂u/∂p = scale (e_u + lean_u n); likewise v
-  double scale, lean_u, lean_v;
-};
-
-/// @param x, y, z the way from the LED to the lens, c − p
-[[nodiscard]] inline Spot project(const View& view, double x, double y, double z) {
+/// Where light falls, u and v, and whether on the photodiode.
+/// @param way from the LED to the lens, c − p
+template <class T>
+void project(const View& view, const delos::Point<T>& way, delos::Reading<T, 2>& out) {
   const auto along = [&](const Eigen::Vector3d& e) {
-    return x * e.x() + y * e.y() + z * e.z();
+    return T(way.x * e.x() + way.y * e.y() + way.z * e.z());
   };
-  const double depth = -along(view.n);
-  const double per_depth = 1 / depth, per_width = 1 / view.half_width;
-  const double t = view.chord_n * per_depth;
-  const double way_u = along(view.e_u), way_v = along(view.e_v);
-  const double u = (view.chord_u + t * way_u) * per_width;
-  const double v = (view.chord_v + t * way_v) * per_width;
-  const bool seen = (depth > 0) & (std::abs(u) <= 1) & (std::abs(v) <= 1);
-  return {seen, u, v, -t * per_width, way_u * per_depth, way_v * per_depth};
+  const T depth = -along(view.n), t = view.chord_n / depth;
+  const double per_width = 1 / view.half_width;
+  out.z[0] = (view.chord_u + t * along(view.e_u)) * per_width;
+  out.z[1] = (view.chord_v + t * along(view.e_v)) * per_width;
+  using std::abs, std::max;
+  const T inside = 1 - max(abs(out.z[0]), abs(out.z[1]));
+  out.inside = chosen(plain(depth) > 0, inside, T(-1));
 }
 
 }  // namespace hiball

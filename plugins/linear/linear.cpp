@@ -14,6 +14,8 @@
 
 namespace {
 
+using delos::matrix;
+
 std::string shape(const Eigen::MatrixXd& m) {
   return std::to_string(m.rows()) + "×" + std::to_string(m.cols());
 }
@@ -42,12 +44,9 @@ void check_covariance(const Eigen::MatrixXd& R) {
 class Linear final : public delos::Device {
  public:
   static constexpr delos::ParamSpec kParams[] = {
-      {.name = "H",
-       .kind = delos::ParamKind::matrix,
-       .help = "Readings per state, a row for each reading, in SI units."},
-      {.name = "R",
-       .kind = delos::ParamKind::matrix,
-       .help = "Covariance of the readings, symmetric, with no negative eigenvalue."},
+      matrix("H", "Readings per state, a row for each reading, in SI units."),
+      matrix("R",
+             "Covariance of the readings, symmetric, with no negative eigenvalue."),
   };
 
   explicit Linear(const delos::ParamValues& p) {

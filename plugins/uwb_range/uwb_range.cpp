@@ -13,25 +13,20 @@
 
 namespace {
 
+using delos::number;
+
 class UwbRange final : public delos::RangeDevice {
  public:
   static constexpr delos::ParamSpec kParams[] = {
-      {.name = "sigma",
-       .unit = "m",
-       .initial = 0.1,
-       .lower = 1e-6,
-       .upper = 10,
-       .scale = delos::ParamScale::log,
-       .help = "Standard deviation of a range to a tag nearby."},
-      {.name = "growth",
-       .initial = 0,
-       .lower = 0,
-       .help = "Standard deviation per metre of range; R = sigma² + (growth z)²."},
-      {.name = "reach",
-       .unit = "m",
-       .initial = 50,
-       .lower = 0,
-       .help = "Farthest tag that is ranged."},
+      number("sigma", "m", "Standard deviation of a range to a tag nearby.")
+          .initially(0.1)
+          .between(1e-6, 10)
+          .by_factors(),
+      number("growth", "1",
+             "Standard deviation per metre of range; R = sigma² + (growth z)².")
+          .initially(0)
+          .at_least(0),
+      number("reach", "m", "Farthest tag that is ranged.").initially(50).at_least(0),
   };
 
   explicit UwbRange(const delos::ParamValues& p)

@@ -34,7 +34,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-int columns(const Device& device) {
+/// The columns of H before those of the device's own states.
+int span_columns(const Device& device) {
   switch (device.span()) {
     case Span::point:
       return 3;
@@ -46,6 +47,10 @@ int columns(const Device& device) {
       return device.state_size();
   }
   return 0;
+}
+
+int columns(const Device& device) {
+  return span_columns(device) + static_cast<int>(device.states().size());
 }
 
 /// A target, and the view that looks at it.
@@ -88,14 +93,17 @@ std::vector<Seen> cloud(const Device& device, int size) {
     t.velocity = vector(6);
     t.acceleration = vector(6);
     t.state = vector(device.state_size());
+    t.own = vector(static_cast<int>(device.states().size()));
   }
   return targets;
 }
 
 /// The target with column `c` of the Jacobian's variables moved by h.
-Seen moved(Seen seen, Span span, int c, double h) {
+Seen moved(Seen seen, const Device& device, int c, double h) {
   Target& t = seen.target;
-  if (span == Span::state) {
+  if (c >= span_columns(device)) {
+    t.own(c - span_columns(device)) += h;
+  } else if (device.span() == Span::state) {
     t.state(c) += h;
   } else if (c < 3) {
     t.p_ST(c) += h;
@@ -170,6 +178,13 @@ TEST_P(DeviceContract, SizesAreConsistentAndSomethingIsSeen) {
   } else {
     ASSERT_EQ(device_->state_size(), 0);
   }
+  std::set<std::string> names;
+  for (const OwnState& state : device_->states()) {
+    EXPECT_TRUE(names.insert(state.name).second) << "two states of one name";
+    EXPECT_NE(state.unit, "");
+    EXPECT_GT(state.time_constant, 0);
+    EXPECT_GE(state.density, 0);
+  }
   int seen = 0;
   for (const Seen& t : cloud(*device_, 4000)) {
     Observation out;
@@ -193,8 +208,8 @@ TEST_P(DeviceContract, JacobianMatchesCentralDifferences) {
     for (int c = 0; c < columns(*device_); ++c) {
       // Error h²z‴/6 + ε z/h, least about here for readings that vary over the range.
       const double h = 1e-5 * (c < 3 ? t.target.p_ST.norm() : 1);
-      if (!observe(*device_, moved(t, device_->span(), c, h), plus)) continue;
-      if (!observe(*device_, moved(t, device_->span(), c, -h), minus)) continue;
+      if (!observe(*device_, moved(t, *device_, c, h), plus)) continue;
+      if (!observe(*device_, moved(t, *device_, c, -h), minus)) continue;
       const Eigen::VectorXd slope = (plus.z - minus.z) / (2 * h);
       ASSERT_LT((slope - here.H.col(c)).norm(), 1e-6 * (1e-3 + here.H.norm()))
           << "column " << c << " at " << t.target.p_ST.transpose() << ": H says "

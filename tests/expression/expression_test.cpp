@@ -160,9 +160,9 @@ TEST(Expression, HasTheSlopesOfCentralDifferences) {
     for (int i = 0; i < 20; ++i) {
       double at[2] = {uniform(random), uniform(random)};
       for (std::size_t k = 0; k < expression.names.size(); ++k) {
-        Dual duals[2] = {at[0], at[1]};
-        duals[k].slope = 1;
-        const Dual found = evaluate(expression, duals);
+        Dual<double, 1> duals[2] = {at[0], at[1]};
+        duals[k].slope[0] = 1;
+        const Dual<double, 1> found = evaluate(expression, duals);
         EXPECT_EQ(found.value, evaluate(expression, at));
         constexpr double kStep = 1e-6;
         double up[2] = {at[0], at[1]}, down[2] = {at[0], at[1]};
@@ -170,7 +170,7 @@ TEST(Expression, HasTheSlopesOfCentralDifferences) {
         down[k] -= kStep;
         const double difference =
             (evaluate(expression, up) - evaluate(expression, down)) / (2 * kStep);
-        EXPECT_NEAR(found.slope, difference, 1e-8 * (1 + std::abs(difference)))
+        EXPECT_NEAR(found.slope[0], difference, 1e-8 * (1 + std::abs(difference)))
             << text << " by " << k;
       }
     }
@@ -180,9 +180,9 @@ TEST(Expression, HasTheSlopesOfCentralDifferences) {
 // A power of a number below 0 has a slope where the exponent doesn't vary.
 TEST(Expression, HasSlopesOfWholePowersOfNegativeNumbers) {
   const Expression cube = parsed("a^3");
-  const Dual at(-2, 1);
+  const Dual<double, 1> at(-2, 0);
   EXPECT_EQ(evaluate(cube, &at).value, -8);
-  EXPECT_EQ(evaluate(cube, &at).slope, 12);
+  EXPECT_EQ(evaluate(cube, &at).slope[0], 12);
 }
 
 }  // namespace

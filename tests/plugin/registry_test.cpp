@@ -97,14 +97,14 @@ TEST(PluginRegistry, DevicesOutliveIt) {
 
 TEST(BadPlugin, WrongEpoch) {
   EXPECT_EQ(error_of("wrong_epoch"),
-            "was built with another plugin contract (kAbiEpoch 7, the kernel has 6); "
+            "was built with another plugin contract (kAbiEpoch 8, the kernel has 7); "
             "rebuild it with the kernel's headers");
 }
 
 TEST(BadPlugin, WrongStampSize) {
   EXPECT_EQ(
       error_of("wrong_stamp_size"),
-      "was built with another plugin stamp (sizeof(AbiStamp) 68, the kernel has 60); "
+      "was built with another plugin stamp (sizeof(AbiStamp) 68, the kernel has 64); "
       "rebuild it with the kernel's headers");
 }
 
@@ -307,7 +307,8 @@ TEST(Stamp, NamesTheFirstFieldThatDiffers) {
       {&AbiStamp::row_lanes, "RowLanes"},
       {&AbiStamp::beacon_lanes, "BeaconLanes"},
       {&AbiStamp::smooth_rows, "SmoothRows"},
-      {&AbiStamp::view_cone, "ViewCone"}};
+      {&AbiStamp::view_cone, "ViewCone"},
+      {&AbiStamp::own_state, "OwnState"}};
   for (const auto& [field, type] : kShapes) {
     EXPECT_EQ(differing(field, 1),
               "was built with another " + type + " (sizeof(" + type +

@@ -10,7 +10,7 @@
 namespace delos {
 
 /// Raised by one whenever a type in this contract changes shape or meaning.
-inline constexpr std::uint32_t kAbiEpoch = 6;
+inline constexpr std::uint32_t kAbiEpoch = 7;
 
 /// What two binaries must agree on before a C++ object may pass between them.
 /// Fixed-width fields only; new ones go at the end; the first two never move.
@@ -30,6 +30,7 @@ struct AbiStamp {
   std::uint32_t beacon_lanes;  ///< sizeof(BeaconLanes)
   std::uint32_t smooth_rows;   ///< sizeof(SmoothRows)
   std::uint32_t view_cone;     ///< sizeof(ViewCone)
+  std::uint32_t own_state;     ///< sizeof(OwnState)
 };
 
 /// The stamp of whichever binary this header is compiled into.
@@ -52,7 +53,8 @@ constexpr AbiStamp this_abi() {
           sizeof(RowLanes),
           sizeof(BeaconLanes),
           sizeof(SmoothRows),
-          sizeof(ViewCone)};
+          sizeof(ViewCone),
+          sizeof(OwnState)};
 }
 
 /// What a plugin library says of itself. Static storage, owned by the plugin.

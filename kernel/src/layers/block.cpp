@@ -104,7 +104,7 @@ void observe_device(const System& system, const LayerShape& shape, std::size_t d
   std::fill_n(layer, shape.stride, 0.0);
   std::uint64_t &seen = block.seen[device], &perfect = block.perfect[device];
   seen = perfect = 0;
-  if (placed.carried()) {
+  if (placed.sees_beacons()) {
     observe_beacons(system, placed, system.motion.layout.coordinates(), poses, layer,
                     seen, perfect);
     return;

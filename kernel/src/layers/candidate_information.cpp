@@ -20,8 +20,7 @@ std::vector<std::vector<int>> checked_owners(const System& system,
   std::vector<std::vector<int>> owners(system.devices.size());
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     const PlacedDevice& placed = system.devices[i];
-    const TargetMount* mount = placed.carried();
-    if (!mount) continue;
+    if (!placed.sees_beacons()) continue;
     owners[i] = beacon_owners(system, placed, all);
     const bool chosen =
         std::any_of(owners[i].begin(), owners[i].end(), [](int c) { return c >= 0; });
@@ -29,7 +28,7 @@ std::vector<std::vector<int>> checked_owners(const System& system,
       throw std::invalid_argument(placed.name +
                                   " is a candidate, and so are beacons that it sees: "
                                   "choose one kind, then the other");
-    if (chosen && mount->select != SightingRule::all)
+    if (chosen && placed.carried()->select != SightingRule::all)
       throw std::invalid_argument(
           placed.name +
           " shares its updates among the beacons in view, so that another beacon may "
@@ -126,7 +125,7 @@ void observe(const System& system, const CandidateScene& all,
     const PlacedDevice& placed = system.devices[i];
     const double weight = information_weight(system, placed);
     measure(system, placed, pose, columns, scratch, [&](const StateRow& row) {
-      const int owner = placed.carried() ? owners[i][row.beacon] : -1;
+      const int owner = placed.sees_beacons() ? owners[i][row.beacon] : -1;
       out.add(owner >= 0 ? owner : all.of_device[i], row, weight);
     });
   }

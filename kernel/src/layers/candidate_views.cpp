@@ -69,7 +69,12 @@ CandidateViews candidate_views(const System& system, const CandidateScene& all,
   std::vector<std::size_t> device_of(all.candidates.size(), system.devices.size());
   std::vector<std::size_t> standing;
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    if (system.devices[i].carried())
+    if (system.devices[i].carried() && !system.devices[i].sees_beacons())
+      throw std::invalid_argument(
+          system.devices[i].name +
+          " measures how the target moves, from everywhere alike: leave it out of what "
+          "is to be covered");
+    if (system.devices[i].sees_beacons())
       add_beacons(system, all, i, poses, by_beacons, views.always);
     else if (all.of_device[i] >= 0)
       device_of[static_cast<std::size_t>(all.of_device[i])] = i;

@@ -36,8 +36,7 @@ class PoseViews {
 
  private:
   void see_any_span(const PlacedDevice& placed);
-  void descend(const PlacedDevice& placed, std::uint32_t at, bool in_view,
-               Sight sight);
+  void descend(const PlacedDevice& placed, std::uint32_t at, bool in_view, Sight sight);
   [[nodiscard]] View view_of(const PlacedDevice& placed,
                              const PoseTrees::Node& node) const;
   [[nodiscard]] Sight sight_of(const PlacedDevice& placed, std::uint32_t at);

@@ -20,9 +20,27 @@ StateMatrix blocks(int order, const CoordinateMatrix& B, Coefficient coefficient
   return m;
 }
 
-}  // namespace
+/// A step with the devices' own states behind those of the target.
+/// @param transition(state), noise(state) its element of A and of Q
+template <class Transition, class Noise>
+MotionStep with_own(const MotionModel& motion, const MotionStep& target,
+                    Transition transition, Noise noise) {
+  if (motion.own.empty()) return target;
+  const Eigen::Index n = target.A.rows(),
+                     all = n + static_cast<Eigen::Index>(motion.own.size());
+  MotionStep step{StateMatrix::Zero(all, all), StateMatrix::Zero(all, all)};
+  step.A.topLeftCorner(n, n) = target.A;
+  step.Q.topLeftCorner(n, n) = target.Q;
+  for (Eigen::Index i = n; i < all; ++i) {
+    const GaussMarkov& state = motion.own[static_cast<std::size_t>(i - n)];
+    step.A(i, i) = transition(state);
+    step.Q(i, i) = noise(state);
+  }
+  return step;
+}
 
-MotionStep discretize(const MotionModel& motion, double dt) {
+/// The target's part of a step.
+MotionStep discretize_target(const MotionModel& motion, double dt) {
   if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics))
     return {custom->A, custom->Q};
 
@@ -41,6 +59,19 @@ MotionStep discretize(const MotionModel& motion, double dt) {
   return {blocks(k, I, transition), blocks(k, q, noise)};
 }
 
+}  // namespace
+
+MotionStep discretize(const MotionModel& motion, double dt) {
+  const auto transition = [dt](const GaussMarkov& state) {
+    return std::exp(-dt / state.time_constant);
+  };
+  const auto noise = [dt](const GaussMarkov& state) {
+    const double T = state.time_constant;
+    return state.density * (std::isinf(T) ? dt : -std::expm1(-2 * dt / T) * T / 2);
+  };
+  return with_own(motion, discretize_target(motion, dt), transition, noise);
+}
+
 MotionStep continuous_form(const MotionModel& motion) {
   if (!motion.is_chain()) std::abort();
   const CoordinateMatrix& q = std::get<ChainMotion>(motion.dynamics).q;
@@ -48,7 +79,10 @@ MotionStep continuous_form(const MotionModel& motion) {
   const int k = motion.layout.order;
   const auto drift = [](int i, int j) { return j == i + 1 ? 1.0 : 0.0; };
   const auto noise = [k](int i, int j) { return i == k - 1 && j == k - 1 ? 1.0 : 0.0; };
-  return {blocks(k, I, drift), blocks(k, q, noise)};
+  return with_own(
+      motion, {blocks(k, I, drift), blocks(k, q, noise)},
+      [](const GaussMarkov& state) { return -1 / state.time_constant; },
+      [](const GaussMarkov& state) { return state.density; });
 }
 
 }  // namespace delos

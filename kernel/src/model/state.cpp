@@ -34,7 +34,8 @@ std::vector<std::string> StateLayout::units() const {
   for_each_chain_state(*this, [&](int derivative, int coordinate) {
     units.push_back(std::string(coordinate < 3 ? "m" : "rad") + kSuffixes[derivative]);
   });
-  units.insert(units.end(), extra.size(), "1");
+  units.insert(units.end(), extra_units.begin(), extra_units.end());
+  units.resize(names().size(), "1");
   return units;
 }
 

@@ -72,7 +72,7 @@ std::vector<SeenBeacon> seen_beacons(const System& system, const TargetPose& pos
   std::vector<SeenBeacon> all;
   BeaconSightings sightings;
   for (const PlacedDevice& placed : system.devices) {
-    if (!placed.carried()) continue;
+    if (!placed.sees_beacons()) continue;
     see_beacons(system, placed, pose, sightings);
     for (const BeaconSighting& s : sightings.all) {
       all.push_back({placed.name, placed.device->view_name(s.view),
@@ -95,7 +95,7 @@ BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
     for (std::size_t i = 0; i < poses.size(); ++i) {
       failure.guard([&] {
         for (const PlacedDevice& placed : system.devices) {
-          if (!placed.carried()) continue;
+          if (!placed.sees_beacons()) continue;
           see_beacons(system, placed, poses[i], seen);
           used.clear();
           through.clear();
@@ -124,7 +124,7 @@ std::vector<std::string> blind_devices(const System& system,
   std::vector<std::string> reasons;
   BeaconSightings sightings;
   for (const PlacedDevice& placed : system.devices) {
-    if (!placed.carried()) continue;
+    if (!placed.sees_beacons()) continue;
     const bool blind =
         std::none_of(poses.begin(), poses.end(), [&](const TargetPose& pose) {
           see_beacons(system, placed, pose, sightings);

@@ -49,6 +49,13 @@ bool measure_beacons(const System& system, const PlacedDevice& placed,
   return !scratch.sightings.all.empty();
 }
 
+/// What a row says of the device's own states: its last columns.
+template <class Row>
+void set_own(const PlacedDevice& placed, const Row& row, StateRow& out) {
+  if (placed.own.count > 0)
+    out.h.segment(placed.own.first, placed.own.count) = row.tail(placed.own.count);
+}
+
 /// Visit every row about a marker in view.
 template <class Visit>
 bool measure_points(const System& system, const PlacedDevice& placed,
@@ -56,17 +63,21 @@ bool measure_points(const System& system, const PlacedDevice& placed,
   const bool may_hide = may_be_hidden(system, placed);
   bool seen = false;
   scratch.target.R_ST.setIdentity();  // of another device before
+  scratch.target.own.setZero(placed.own.count);
   for (const Eigen::Vector3d& marker : system.markers) {
     const Eigen::Vector3d arm = X_WT.R * marker;
     scratch.target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
-    if (!observe_target(placed, 3, scratch.target, scratch.observation)) continue;
+    if (!observe_target(placed, 3 + placed.own.count, scratch.target,
+                        scratch.observation))
+      continue;
     if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, arm)) continue;
     seen = true;
     whiten(scratch.observation.H, scratch.observation.R,
            [&](const auto& row, double variance) {
-             const Eigen::Vector3d h = row.transpose();
+             const Eigen::Vector3d h = row.template head<3>().transpose();
              pull_row<1>(system.motion.layout, placed.X_WS().R, h.data(), arm.data(),
                          scratch.row.h.data());
+             set_own(placed, row, scratch.row);
              scratch.row.variance = placed.noise * variance;
              visit(std::as_const(scratch.row));
            });
@@ -75,19 +86,63 @@ bool measure_points(const System& system, const PlacedDevice& placed,
 }
 
 /// A row over pose, velocity, …, [δp, δθ] each, in S, as one over the state.
+/// @param arm of the point that it is about, from the target's origin, in W, metres
 /// @param orders how many of them
 template <class Row>
-void fill_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS, int orders,
-              const Row& in_S, StateRow& out) {
-  const auto fill = [&](int from, int to) {
-    const Eigen::Vector3d h = in_S.template segment<3>(from).transpose();
-    turn<1>(R_WS, h.data(), out.h.data() + to);
-  };
+void fill_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS,
+              const Eigen::Vector3d& arm, int orders, const Row& in_S, StateRow& out) {
   const int d = layout.coordinates();
   for (int k = 0; k < orders; ++k) {
-    if (layout.pose != PoseState::orientation) fill(6 * k, d * k);
-    if (layout.pose != PoseState::position) fill(6 * k + 3, d * k + layout.positions());
+    const Eigen::Vector3d of_point = in_S.template segment<3>(6 * k).transpose();
+    pull_row<1>(layout, R_WS, of_point.data(), arm.data(), out.h.data() + d * k);
+    if (layout.pose == PoseState::position) continue;
+    const Eigen::Vector3d of_turn = in_S.template segment<3>(6 * k + 3).transpose();
+    Eigen::Vector3d turned;
+    turn<1>(R_WS, of_turn.data(), turned.data());
+    out.h.segment<3>(d * k + layout.positions()) += turned.transpose();
   }
+}
+
+/// Visit every row of a device that measures more than points: of the target where it
+/// stands in the world, of its own motion where the target carries it.
+template <class Visit>
+bool measure_motion(const System& system, const PlacedDevice& placed,
+                    const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
+  const StateLayout& layout = system.motion.layout;
+  const Span span = placed.device->span();
+  const TargetMount* carried = placed.carried();
+  const Pose X_WS = carried ? X_WT * carried->X_TS : placed.X_WS();
+  const Eigen::Vector3d arm = carried ? Eigen::Vector3d(X_WS.p - X_WT.p)
+                                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  Target& target = scratch.target;
+  target.p_ST = carried ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                        : seen_at(X_WS, X_WT.p, Eigen::Vector3d::Zero());
+  if (carried)
+    target.R_ST.setIdentity();
+  else
+    target.R_ST.noalias() = X_WS.R.transpose() * X_WT.R;
+  const int n = layout.size() - static_cast<int>(system.motion.own.size());
+  target.state.setZero(span == Span::state ? n : 0);
+  const int of_span = span == Span::pose ? 6 : span == Span::motion ? 18 : n;
+  target.own.setZero(placed.own.count);
+  if (!observe_target(placed, of_span + placed.own.count, target, scratch.observation))
+    return false;
+  if (!carried && may_be_hidden(system, placed) &&
+      !in_sight(system, X_WS.p, X_WT, {0, 0, 0}))
+    return false;
+  const int orders = span == Span::motion ? layout.order : 1;
+  StateRow& row = scratch.row;
+  whiten(scratch.observation.H, scratch.observation.R,
+         [&](const auto& in_S, double variance) {
+           if (span == Span::state)
+             row.h.head(n) = in_S.head(n);
+           else
+             fill_row(layout, X_WS.R, arm, orders, in_S, row);
+           set_own(placed, in_S, row);
+           row.variance = placed.noise * variance;
+           visit(std::as_const(row));
+         });
+  return true;
 }
 
 /// Visit every row that a device measures of a target at X_WT: `visit(const StateRow&)`
@@ -100,33 +155,10 @@ bool measure(const System& system, const PlacedDevice& placed, const TargetPose&
   row.h.setZero(columns);
   if (placed.clock) row.h(*placed.clock) = 1;
   row.share = 1;
+  if (placed.device->span() != Span::point)
+    return measure_motion(system, placed, X_WT, scratch, visit);
   if (placed.carried()) return measure_beacons(system, placed, X_WT, scratch, visit);
-  const Span span = placed.device->span();
-  if (span == Span::point) return measure_points(system, placed, X_WT, scratch, visit);
-
-  const StateLayout& layout = system.motion.layout;
-  Target& target = scratch.target;
-  target.p_ST = seen_at(placed.X_WS(), X_WT.p, Eigen::Vector3d::Zero());
-  target.R_ST.noalias() = placed.X_WS().R.transpose() * X_WT.R;
-  target.state.setZero(span == Span::state ? layout.size() : 0);
-  const Eigen::Index of_span = span == Span::pose     ? 6
-                               : span == Span::motion ? 18
-                                                      : layout.size();
-  if (!observe_target(placed, of_span, target, scratch.observation)) return false;
-  if (may_be_hidden(system, placed) &&
-      !in_sight(system, placed.X_WS().p, X_WT, {0, 0, 0}))
-    return false;
-  const int orders = span == Span::motion ? layout.order : 1;
-  whiten(scratch.observation.H, scratch.observation.R,
-         [&](const auto& in_S, double variance) {
-           if (span == Span::state)
-             row.h = in_S;
-           else
-             fill_row(layout, placed.X_WS().R, orders, in_S, row);
-           row.variance = placed.noise * variance;
-           visit(std::as_const(row));
-         });
-  return true;
+  return measure_points(system, placed, X_WT, scratch, visit);
 }
 
 }  // namespace delos

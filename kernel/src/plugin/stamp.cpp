@@ -42,6 +42,7 @@ constexpr std::array kFields = {
     StampField{&AbiStamp::smooth_rows, "another SmoothRows", "sizeof(SmoothRows)",
                kFlags},
     StampField{&AbiStamp::view_cone, "another ViewCone", "sizeof(ViewCone)", kFlags},
+    StampField{&AbiStamp::own_state, "another OwnState", "sizeof(OwnState)", kFlags},
 };
 
 static_assert(sizeof(AbiStamp) == kFields.size() * sizeof(std::uint32_t),

@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "delos/device/faults.h"
 #include "delos/scene/clutter.h"
 #include "delos/scene/definition.h"
 #include "rig/parts.h"
@@ -87,6 +88,24 @@ std::optional<int> state_named(const StateLayout& layout, const std::string& nam
   return static_cast<int>(at - names.begin());
 }
 
+/// Behind all others, the states of a device's own.
+StateRange add_states(const std::string& device, const std::vector<OwnState>& states,
+                      MotionModel& motion) {
+  if (states.empty()) return {};
+  StateLayout& layout = motion.layout;
+  const StateRange range{layout.size(), static_cast<int>(states.size())};
+  if (range.first + range.count > kMaxState)
+    throw Unbuildable("with " + device + "'s own states the filter has more than " +
+                      std::to_string(kMaxState));
+  layout.extra_units.resize(layout.extra.size(), "1");
+  for (const OwnState& state : states) {
+    layout.extra.push_back(device + '_' + state.name);
+    layout.extra_units.push_back(state.unit);
+    motion.own.push_back({state.time_constant, state.density});
+  }
+  return range;
+}
+
 }  // namespace
 
 System::System() = default;
@@ -134,7 +153,10 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     }
     if (entry.mount == Mount::target) {
       placed.mount =
-          TargetMount{pose_of(entry.placement), beacons(system.devices.size(), entry),
+          TargetMount{pose_of(entry.placement),
+                      placed.device->span() == Span::point
+                          ? beacons(system.devices.size(), entry)
+                          : std::make_shared<const BeaconIndex>(std::vector<Beacon>{}),
                       entry.beacons, entry.select, entry.count};
     } else {
       placed.mount = WorldMount{device_pose(scene, entry)};
@@ -142,6 +164,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     placed.period = single ? 1 : 1 / entry.rate;
     placed.phase = single ? 0 : entry.phase;
     if (single) placed.clock = state_named(system.motion.layout, clock_state(entry));
+    placed.own = add_states(placed.name, placed.device->states(), system.motion);
     system.devices.push_back(std::move(placed));
   }
   return system;
@@ -152,7 +175,8 @@ int information_size(const System& system) {
   const bool pose_alone = std::all_of(
       system.devices.begin(), system.devices.end(), [](const PlacedDevice& d) {
         const Span span = d.device->span();
-        return !d.clock && (span == Span::point || span == Span::pose);
+        return !d.clock && d.own.count == 0 &&
+               (span == Span::point || span == Span::pose);
       });
   return pose_alone ? layout.coordinates() : layout.size();
 }

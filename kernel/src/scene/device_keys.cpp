@@ -190,10 +190,9 @@ void check_clock(Reader& reader, const Place& at, const DeviceEntry& device,
                         "stays");
 }
 
-/// A carried device needs something to look at.
+/// A carried device that sees points needs something to look at.
 void check_seen_beacons(Reader& reader, const Place& at, const DeviceEntry& device,
                         const std::vector<BeaconSet>& sets) {
-  if (device.mount == Mount::world) return;
   if (sets.empty())
     return reader.error_within(
         at, at.node().find("mount")->mark, "mount",
@@ -206,20 +205,73 @@ void check_seen_beacons(Reader& reader, const Place& at, const DeviceEntry& devi
                           "there is no set '" + name + '\'' + suggestion(name, known));
 }
 
+/// What a device may refer to; null where it isn't known.
+struct Around {
+  const StateLayout* layout;
+  std::vector<std::string> groups;
+  const std::vector<SurfaceEntry>* surfaces;
+  const std::vector<BeaconSet>* beacons;
+  bool single;         ///< a single reading is asked for
+  int own_states = 0;  ///< of the devices so far
+};
+
+/// A carried device looks at beacons, or measures how it moves itself.
+void check_carried(Reader& reader, const Place& at, const DeviceEntry& entry, Span span,
+                   const std::vector<BeaconSet>* sets) {
+  if (span == Span::point) {
+    if (sets) check_seen_beacons(reader, at, entry, *sets);
+    return;
+  }
+  if (span == Span::state)
+    reader.error_within(at, at.node().find("mount")->mark, "mount",
+                        entry.type +
+                            " measures the state, wherever it is mounted; "
+                            "leave 'mount' out");
+  for (const char* key : {"beacons", "select", "count"})
+    if (const Node* node = at.node().find(key))
+      reader.error_within(at, node->mark, key,
+                          "is for a device that looks at beacons; " + entry.type +
+                              " measures how the target moves");
+}
+
+/// Whether a sensor of motion measures anything that a state has, in its own frame.
+bool measures(const Device& device, const StateLayout& layout) {
+  Target at_rest;
+  at_rest.own.setZero(static_cast<Eigen::Index>(device.states().size()));
+  Observation out;
+  if (!device.observe(at_rest, out) || out.H.cols() < 18) return true;  // asked later
+  for (int k = 0; k < layout.order; ++k) {
+    const bool moves = !out.H.middleCols(6 * k, 3).isZero(0),
+               turns = !out.H.middleCols(6 * k + 3, 3).isZero(0);
+    if ((moves && layout.positions() > 0) ||
+        (turns && layout.pose != PoseState::position))
+      return true;
+  }
+  return false;
+}
+
 /// Make the device, whose plugin knows which values clash.
 void check_device(Reader& reader, const Place& at, const PluginInfo& info,
-                  const StateLayout* layout, bool single, const DeviceEntry& entry) {
+                  Around& around, const DeviceEntry& entry) {
   try {
     const auto device = make_device(info, entry.params);
-    if (entry.mount == Mount::target && device->span() != Span::point)
+    around.own_states += static_cast<int>(device->states().size());
+    const StateLayout* layout = around.layout;
+    if (entry.mount == Mount::target)
+      check_carried(reader, at, entry, device->span(), around.beacons);
+    if (entry.mount == Mount::target && device->span() == Span::point &&
+        !device->states().empty())
       return reader.error_within(at, at.node().find("mount")->mark, "mount",
                                  entry.type +
-                                     " measures the target itself; only devices that "
-                                     "see points can look at beacons");
-    if (single && device->span() != Span::point && device->span() != Span::pose)
+                                     " has states of its own, such as a bias, "
+                                     "with which it can't look at beacons");
+    if (around.single && device->span() != Span::point && device->span() != Span::pose)
       return reader.error(at,
                           "measures more than the pose, of which a single reading is; "
                           "use covariance: prior or posterior");
+    if (layout && device->span() == Span::motion && !measures(*device, *layout))
+      return reader.error(at, entry.type + " measures none of this motion's states: " +
+                                  joined(layout->names()));
     if (!layout || device->span() != Span::state ||
         device->state_size() == layout->size())
       return;
@@ -232,17 +284,7 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
   }
 }
 
-/// What a device may refer to; null where it isn't known.
-struct Around {
-  const StateLayout* layout;
-  std::vector<std::string> groups;
-  const std::vector<SurfaceEntry>* surfaces;
-  const std::vector<BeaconSet>* beacons;
-  bool single;  ///< a single reading is asked for
-};
-
-void read_device(Reader& reader, const Place& at, const Around& around,
-                 DeviceEntry& out) {
+void read_device(Reader& reader, const Place& at, Around& around, DeviceEntry& out) {
   const std::size_t before = reader.findings.errors();
   if (!read_map(reader, at, kDeviceKeys, out)) return;
   if (out.mounting) {
@@ -254,7 +296,6 @@ void read_device(Reader& reader, const Place& at, const Around& around,
   check_mount(reader, at, out);
   check_group(reader, at, out, around.groups);
   check_clock(reader, at, out, around.single);
-  if (around.beacons) check_seen_beacons(reader, at, out, *around.beacons);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);
   if (!plugin.info) {
@@ -263,7 +304,7 @@ void read_device(Reader& reader, const Place& at, const Around& around,
   }
   read_params(reader, at, *plugin.info, out.params);
   if (reader.findings.errors() == before)
-    check_device(reader, at, *plugin.info, around.layout, around.single, out);
+    check_device(reader, at, *plugin.info, around, out);
 }
 
 }  // namespace
@@ -315,6 +356,12 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
     reader.error(at, "have so many clocks that " + std::to_string(states) +
                          " numbers are unknown; at most " + std::to_string(kMaxState) +
                          " can be solved for");
+  else if (states + around.own_states > kMaxState)
+    reader.error(at, "have " + std::to_string(around.own_states) +
+                         " states of their own, which make " +
+                         std::to_string(states + around.own_states) +
+                         " with those of the motion; at most " +
+                         std::to_string(kMaxState) + " can be estimated");
 }
 
 Node write_groups(const std::vector<Group>& groups) {

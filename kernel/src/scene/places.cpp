@@ -18,7 +18,7 @@ std::vector<Eigen::Vector3d> spread_points(const Eigen::AlignedBox3d& box,
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const Eigen::Vector3d part = Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5) / n;
-        points.push_back(box.min() + part.cwiseProduct(box.sizes()));
+        points.emplace_back(box.min() + part.cwiseProduct(box.sizes()));
       }
   return points;
 }

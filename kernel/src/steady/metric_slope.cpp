@@ -83,7 +83,7 @@ void MetricSlope::add_slope(const Metric& metric, const StateMatrix* P,
     return;
   }
   const MetricExpression& expression = *metric.expression;
-  Dual values[kMostNames];
+  Dual<double, 1> values[kMostNames];
   for (std::size_t i = 0; i < expression.inputs.size(); ++i) {
     values[i] = input_value(expression.inputs[i], P, facts);
     if (!std::isfinite(values[i].value)) return;  // nothing is known of the whole
@@ -91,9 +91,9 @@ void MetricSlope::add_slope(const Metric& metric, const StateMatrix* P,
   for (std::size_t i = 0; i < expression.inputs.size(); ++i) {
     const MetricInput& input = expression.inputs[i];
     if (input.kind == MetricInput::Kind::position) continue;
-    values[i].slope = 1;
-    const double part = weight * evaluate(expression.formula, values).slope;
-    values[i].slope = 0;
+    values[i].slope[0] = 1;
+    const double part = weight * evaluate(expression.formula, values).slope[0];
+    values[i].slope[0] = 0;
     if (part == 0 || !std::isfinite(part)) continue;
     if (input.kind == MetricInput::Kind::metric) {
       add_slope(input.metric, P, facts, part, Y, g);

@@ -1,5 +1,5 @@
-# Build range_beacon as its author would, then run the contract of devices on it, found by
-# way of DELOS_PLUGIN_PATH.
+# Build two devices as their author would, then run the contract of devices on them, found
+# by way of DELOS_PLUGIN_PATH.
 file(REMOVE_RECURSE ${WORK})
 if(TREE STREQUAL install)
   execute_process(COMMAND ${CMAKE_COMMAND} --install ${DELOS_BUILD} --prefix ${WORK}/prefix
@@ -21,9 +21,11 @@ endif()
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
 
 set(ENV{DELOS_PLUGIN_PATH} ${WORK}/build/lib/delos)
-execute_process(COMMAND ${CONTRACT_TEST} --gtest_filter=*range_beacon*
-  OUTPUT_VARIABLE output ECHO_OUTPUT_VARIABLE COMMAND_ERROR_IS_FATAL ANY)
-# A filter that meets no test is a success to GoogleTest.
-if(NOT output MATCHES "PASSED  . [1-9][0-9]* tests")
-  message(FATAL_ERROR "the contract met no device range_beacon")
-endif()
+foreach(device range_beacon biased_beacon)
+  execute_process(COMMAND ${CONTRACT_TEST} --gtest_filter=*${device}*
+    OUTPUT_VARIABLE output ECHO_OUTPUT_VARIABLE COMMAND_ERROR_IS_FATAL ANY)
+  # A filter that meets no test is a success to GoogleTest.
+  if(NOT output MATCHES "PASSED  . [1-9][0-9]* tests")
+    message(FATAL_ERROR "the contract met no device ${device}")
+  endif()
+endforeach()

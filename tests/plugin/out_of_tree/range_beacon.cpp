@@ -1,33 +1,29 @@
 // A beacon that measures only how far away the target is (UWB, ultrasound).
 //
-//   z = ‖p‖ + v,   v ~ N(0, σ²),   ∂z/∂p = pᵀ / ‖p‖
+//   z = ‖p‖ + v,   v ~ N(0, σ²)
 //
 // One beacon pins one direction; three well spread pin a point.
+#include <delos/device/point_device.h>
 #include <delos/plugin.h>
 
 namespace {
 
-class RangeBeacon final : public delos::Device {
+class RangeBeacon final : public delos::PointDevice<RangeBeacon, 1> {
  public:
   static constexpr delos::ParamSpec kParams[] = {
-      {.name = "sigma", .unit = "m", .initial = 0.05, .lower = 0, .help = "Noise, 1σ."},
-      {.name = "reach",
-       .unit = "m",
-       .initial = 30,
-       .lower = 0,
-       .help = "Farthest heard."},
+      delos::number("sigma", "m", "Noise, 1σ.").initially(0.05).at_least(0),
+      delos::number("reach", "m", "Farthest heard.").initially(30).at_least(0),
   };
 
   explicit RangeBeacon(const delos::ParamValues& p)
       : variance_(p["sigma"] * p["sigma"]), reach_(p["reach"]) {}
 
-  bool observe(const delos::Target& target, delos::Observation& out) const override {
-    const double range = target.p_ST.norm();
-    if (range == 0 || range > reach_) return false;
-    out.z.setConstant(1, range);
-    out.H = target.p_ST.transpose() / range;
-    out.R.setConstant(1, 1, variance_);
-    return true;
+  template <class T>
+  void read(const delos::Point<T>& p, delos::Reading<T, 1>& out) const {
+    using std::sqrt;
+    out.z[0] = sqrt(squared_norm(p));
+    out.variance[0] = variance_;
+    out.inside = reach_ - out.z[0];
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "delos/api.h"
 #include "delos/model/lanes.h"
@@ -25,7 +26,9 @@ enum class Span {
 
 /// The thing being tracked, as one device sees it.
 struct Target {
-  /// Where the observed point or the target is, metres, in the device's frame S.
+  /// Where the observed point or the target is, metres, in the device's frame S. A
+  /// device that the target carries, and that doesn't see points, measures how it moves
+  /// itself: it is at the origin.
   Eigen::Vector3d p_ST = Eigen::Vector3d::Zero();
   /// The target's orientation in S. Identity for Span::point, which sees a bare point.
   Eigen::Matrix3d R_ST = Eigen::Matrix3d::Identity();
@@ -36,9 +39,24 @@ struct Target {
   /// Deviation of the whole state from the point of linearisation, n×1, SI. Zero in
   /// fields; the contract test moves it.
   StateVector state;
+  /// The device's own states. Zero in fields; the contract test moves them.
+  StateVector own;
   /// Which way the observed point faces, a unit vector in S: a beacon's normal. Zero
   /// where it faces no way: markers, and beacons that radiate all around.
   Eigen::Vector3d n_ST = Eigen::Vector3d::Zero();
+};
+
+/// A state of a device's own, which its readings depend on and the filter estimates
+/// besides the motion: a bias, a drift. A first-order Gauss–Markov process,
+///
+///     db/dt = −b/T + w,   w white with spectral density q
+///
+/// and a random walk where T is infinite.
+struct OwnState {
+  std::string name;  ///< snake_case; the filter's state is called DEVICE_name
+  std::string unit;  ///< SI
+  double time_constant = std::numeric_limits<double>::infinity();  ///< T, s, > 0
+  double density = 0;  ///< q, unit²/s, ≥ 0; 0 at an infinite T: a constant
 };
 
 /// What a device measures of a target, linearised there. Stored inline.
@@ -46,7 +64,8 @@ struct Observation {
   /// The noiseless reading, m×1, measurement units. The filter never needs it; the
   /// contract test does, to check H against differences.
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRows, 1> z;
-  /// Jacobian ∂z/∂(the columns of Span), m×c, in the device's frame S.
+  /// Jacobian ∂z/∂(the columns of Span, then the device's own states), m×c, in the
+  /// device's frame S.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows,
                 kMaxState>
       H;
@@ -124,13 +143,16 @@ class DELOS_API Device {
   /// Number of columns for Span::state; the loader compares it with the state's size.
   [[nodiscard]] virtual int state_size() const { return 0; }
 
+  /// States of its own, which readings depend on besides the target; none, as here.
+  [[nodiscard]] virtual std::vector<OwnState> states() const { return {}; }
+
   /// Linearise the measurement of the target.
   /// @returns false when it is out of reach or view; `out` is then unspecified.
   [[nodiscard]] virtual bool observe(const Target& target, Observation& out) const = 0;
 
   /// The same for many points at once: a faster way, for Span::point, of rows whose
-  /// noise is independent. Best written as loops over all kLanes, which compilers turn
-  /// into vector instructions.
+  /// noise is independent and that depend on the point alone. Best written as loops
+  /// over all kLanes, which compilers turn into vector instructions.
   /// @returns false where the device has no such way, as here: observe() is asked then.
   [[nodiscard]] virtual bool observe_lanes(const PointLanes& points,
                                            RowLanes& out) const;

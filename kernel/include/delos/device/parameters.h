@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -27,7 +28,7 @@ enum class ParamKind : std::uint32_t {
 enum class ParamScale : std::uint32_t { linear, log };
 
 /// One row of a plugin's parameter table. Static storage; plain data across the library
-/// boundary.
+/// boundary. Made by number(), choice(), vector() or matrix() below.
 struct ParamSpec {
   const char* name;                    ///< snake_case, the key in a scene
   ParamKind kind = ParamKind::number;  ///< what a scene may write
@@ -40,7 +41,61 @@ struct ParamSpec {
   const char* choices = nullptr;  ///< words of a choice, "one|two|three"
   std::uint32_t length = 0;       ///< length of a vector; 0: any
   const char* help = "";          ///< one sentence
+
+  /// The row with a default.
+  [[nodiscard]] constexpr ParamSpec initially(
+      std::convertible_to<double> auto value) const {
+    ParamSpec row = *this;
+    row.initial = static_cast<double>(value);
+    return row;
+  }
+  /// The same of a choice, vector or matrix, written as in a scene.
+  [[nodiscard]] constexpr ParamSpec initially(const char* written) const {
+    ParamSpec row = *this;
+    row.text = written;
+    return row;
+  }
+  /// The row with bounds, inclusive.
+  [[nodiscard]] constexpr ParamSpec between(double least, double greatest) const {
+    ParamSpec row = *this;
+    row.lower = least;
+    row.upper = greatest;
+    return row;
+  }
+  [[nodiscard]] constexpr ParamSpec at_least(double least) const {
+    return between(least, upper);
+  }
+  /// The row as a search should step through it: by factors.
+  [[nodiscard]] constexpr ParamSpec by_factors() const {
+    ParamSpec row = *this;
+    row.scale = ParamScale::log;
+    return row;
+  }
 };
+
+/// A number that must be given; ParamSpec's functions add a default and bounds.
+[[nodiscard]] constexpr ParamSpec number(const char* name, const char* unit,
+                                         const char* help) {
+  return {.name = name, .unit = unit, .help = help};
+}
+/// One of a few words, "one|two|three".
+[[nodiscard]] constexpr ParamSpec choice(const char* name, const char* choices,
+                                         const char* help) {
+  return {.name = name, .kind = ParamKind::choice, .choices = choices, .help = help};
+}
+/// A list of so many numbers; 0: any.
+[[nodiscard]] constexpr ParamSpec vector(const char* name, const char* unit,
+                                         std::uint32_t length, const char* help) {
+  return {.name = name,
+          .kind = ParamKind::vector,
+          .unit = unit,
+          .length = length,
+          .help = help};
+}
+/// A list of rows.
+[[nodiscard]] constexpr ParamSpec matrix(const char* name, const char* help) {
+  return {.name = name, .kind = ParamKind::matrix, .help = help};
+}
 
 /// A parameter's value in SI units. Vectors are n×1 matrices.
 using ParamValue = std::variant<double, std::string, Eigen::MatrixXd>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "delos/api.h"
 #include "delos/model/state.h"
@@ -35,10 +36,18 @@ struct CustomMotion {
   }
 };
 
+/// How a state of a device's own changes, whatever the target does: dx/dt = −x/T + w.
+struct GaussMarkov {
+  double time_constant = 0;  ///< T, seconds, > 0; infinite: a random walk
+  double density = 0;        ///< of w, squared state units per second, ≥ 0
+  friend bool operator==(const GaussMarkov&, const GaussMarkov&) = default;
+};
+
 /// The motion model of a scene.
 struct MotionModel {
   StateLayout layout;
   std::variant<ChainMotion, CustomMotion> dynamics;
+  std::vector<GaussMarkov> own = {};  ///< of the last states of the layout
 
   /// True for P, PV and PVA, for which exact closed forms exist.
   [[nodiscard]] bool is_chain() const {
@@ -52,7 +61,8 @@ struct MotionModel {
 ///     A_ij = dt^(j−i)/(j−i)!
 ///     Q_ij = q dt^(2k−1−i−j) / ((2k−1−i−j) (k−1−i)! (k−1−j)!)
 ///
-/// A custom model is one update whatever dt is.
+/// and for the devices' own states, exp(−dt/T) and (1 − exp(−2dt/T)) q T/2, or 1 and
+/// q dt where T is infinite. A custom model is one update whatever dt is.
 /// @param dt seconds, > 0
 [[nodiscard]] DELOS_API MotionStep discretize(const MotionModel& motion, double dt);
 

@@ -54,6 +54,7 @@ struct StateLayout {
   PoseState pose = PoseState::position;
   int order = 1;                   ///< 1, 2 or 3 blocks: pose, velocity, acceleration
   std::vector<std::string> extra;  ///< names of the states behind the blocks
+  std::vector<std::string> extra_units = {};  ///< theirs, SI; where missing, "1"
 
   /// d, the number of pose coordinates: 3 or 6.
   [[nodiscard]] int coordinates() const { return pose == PoseState::pose ? 6 : 3; }
@@ -67,7 +68,8 @@ struct StateLayout {
   /// Names in the order of the state vector: x, y, z, roll, pitch, yaw, vx, …, vyaw,
   /// ax, …, ayaw, then the extra states.
   [[nodiscard]] DELOS_API std::vector<std::string> names() const;
-  /// SI units in the same order: m, rad, m/s, rad/s, m/s^2, rad/s^2; extra states "1".
+  /// SI units in the same order: m, rad, m/s, rad/s, m/s^2, rad/s^2; then the extra
+  /// ones'.
   [[nodiscard]] DELOS_API std::vector<std::string> units() const;
 
   friend bool operator==(const StateLayout&, const StateLayout&) = default;

@@ -26,14 +26,21 @@ struct WorldMount {
   friend bool operator==(const WorldMount&, const WorldMount&) = default;
 };
 
-/// How the target carries a device that looks at beacons in the world.
+/// How the target carries a device: one that looks at beacons in the world, or, where
+/// it doesn't see points, that measures how it moves itself.
 struct TargetMount {
   Pose X_TS;                                   ///< device frame to target
-  std::shared_ptr<const BeaconIndex> beacons;  ///< never null
+  std::shared_ptr<const BeaconIndex> beacons;  ///< never null; empty of the latter
   std::vector<std::string> sees;               ///< sets of beacons; empty: all
   SightingRule select = SightingRule::all;
   int count = 1;  ///< sightings an update, see `select`
   friend bool operator==(const TargetMount&, const TargetMount&) = default;
+};
+
+/// Some states of a filter that stand side by side.
+struct StateRange {
+  int first = 0, count = 0;
+  friend bool operator==(const StateRange&, const StateRange&) = default;
 };
 
 /// A device in its place.
@@ -47,10 +54,15 @@ struct PlacedDevice {
   double period = 0;  ///< seconds between updates, > 0
   double phase = 0;   ///< seconds to the first update, ≥ 0
   std::optional<int> clock;  ///< the state that its readings are off by
+  StateRange own;            ///< its own states
 
   /// How the target carries it; null: it stands in the world.
   [[nodiscard]] const TargetMount* carried() const {
     return std::get_if<TargetMount>(&mount);
+  }
+  /// Whether it looks at beacons from the target.
+  [[nodiscard]] bool sees_beacons() const {
+    return carried() && device->span() == Span::point;
   }
   /// Device frame to world. @pre it stands there
   [[nodiscard]] const Pose& X_WS() const { return std::get<WorldMount>(mount).X_WS; }

@@ -149,8 +149,8 @@ class Bins {
   /// Whole nodes, so that they come out full.
   static float cost(const Bounds& bounds, int items) {
     if (items == 0) return kInfinity;
-    return static_cast<float>((items + FlatNode::kLanes - 1) / FlatNode::kLanes) *
-           bounds.area();
+    const int nodes = (items + FlatNode::kLanes - 1) / FlatNode::kLanes;
+    return static_cast<float>(nodes) * bounds.area();
   }
 
   int count_, axis_;

@@ -102,7 +102,7 @@ Occluders::Tree::Tree(const std::vector<TriangleMesh>& parts,
   boxes.reserve(triangles.size());
   for (const auto& [corners, piece] : triangles) {
     const auto& [a, b, c] = corners;
-    boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+    boxes.emplace_back(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
     bounds.extend(boxes.back());
   }
   tree = FlatTree(boxes);

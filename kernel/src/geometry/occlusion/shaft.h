@@ -27,7 +27,7 @@ class Shaft {
   const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
   /// Whether a triangle may meet the hull.
-  bool may_meet(const std::array<Eigen::Vector3d, 3>& corners) const;
+  bool may_meet(const std::array<Eigen::Vector3d, 3>& t) const;
 
   std::span<const Plane> planes() const {
     return {planes_.data(), static_cast<std::size_t>(plane_count_)};
