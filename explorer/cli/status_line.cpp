@@ -25,7 +25,7 @@ void StatusLine::update(const std::string& text) {
             << (terminal_ ? "" : "\n") << std::flush;
 }
 
-void StatusLine::clear() const {
+void StatusLine::clear() {
   if (drawn_ && terminal_) std::cerr << "\r\033[K";
 }
 

@@ -12,7 +12,7 @@ class StatusLine {
  public:
   explicit StatusLine(std::string label);
   void update(const std::string& text);
-  void clear() const;
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -13,6 +13,6 @@ namespace delos {
 void check_cover(const CoverProblem& problem);
 
 /// @throws Uncoverable naming these samples, unless there are none
-void refuse_uncoverable(std::vector<int> samples);
+void refuse_uncoverable(std::vector<int> missed);
 
 }  // namespace delos

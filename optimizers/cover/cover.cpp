@@ -97,10 +97,10 @@ class Rounds {
     const double enough =
         std::max(bound_, options_.stop_at.value_or(-kInfinity)) - core_.chosen_cost;
     std::vector<std::function<void()>> tasks;
-    tasks.push_back([&] { raise_bound(limit); });
+    tasks.emplace_back([&] { raise_bound(limit); });
     for (CoverSearch& walk : walks_)
-      tasks.push_back([&] { walk.run(work_, limit, enough); });
-    if (annealing_) tasks.push_back([&] { annealing_->run(work_, limit, enough); });
+      tasks.emplace_back([&] { walk.run(work_, limit, enough); });
+    if (annealing_) tasks.emplace_back([&] { annealing_->run(work_, limit, enough); });
     run_all(tasks, threads);
     work_ = std::min(2 * work_, most_work_);
     merge();

@@ -67,7 +67,7 @@ std::vector<double> CoverTree::inherited(const CoverCore& from,
   return out;
 }
 
-void CoverTree::visit(CoverCore core, std::vector<double> multipliers) {
+void CoverTree::visit(const CoverCore& core, const std::vector<double>& multipliers) {
   work_ += 10 * static_cast<std::int64_t>(core.seen.items.size()) + 1000;
   CoverCore small = reduced(core);
   if (!unmet(small).empty()) return;
@@ -132,8 +132,7 @@ void CoverTree::visit_child(Node& node) {
   ++node.next;
   const int place = std::accumulate(keep.begin(), keep.begin() + chosen, 0);
   child = with_chosen(with_only(std::move(child), keep), place);
-  std::vector<double> multipliers = inherited(node.core, node.multipliers, child);
-  visit(std::move(child), std::move(multipliers));  // node may move
+  visit(child, inherited(node.core, node.multipliers, child));  // node may move
 }
 
 }  // namespace delos

@@ -47,7 +47,7 @@ class CoverTree {
     std::size_t next = 0, last = 0;
   };
 
-  void visit(CoverCore core, std::vector<double> multipliers);
+  void visit(const CoverCore& core, const std::vector<double>& multipliers);
   void visit_child(Node& node);
   void branch(CoverCore core, std::vector<double> multipliers,
               const std::vector<double>& reduced_costs);

@@ -20,7 +20,7 @@ std::vector<Eigen::Vector3d> spread(const AdaptiveSampling& box, std::size_t cou
   for (std::size_t k = 1; k <= count; ++k) {
     const Eigen::Array3d x = 0.5 + static_cast<double>(k) * step;
     const Eigen::Array3d part = x - x.floor();
-    points.push_back(box.min + (part * (box.max - box.min).array()).matrix());
+    points.emplace_back(box.min + (part * (box.max - box.min).array()).matrix());
   }
   return points;
 }

@@ -173,18 +173,18 @@ struct Study::State {
         verb == "undo" || std::any_of(all.begin(), all.end(), [](const StudyAct& act) {
           return act.verb == "undo";
         });
-    Round next = round(whole ? 1 : last);
+    Round at = round(whole ? 1 : last);
     for (int r = whole ? 1 : last; r <= last; ++r) {
-      Round at = std::move(next);
       if (at.ended) at.position.scene = parsed(at.best_scene);
       journal.arrive(std::move(at.position));
+      const int begin = at.acts;
       int end = std::numeric_limits<int>::max();
       if (r < last) {
-        next = round(r + 1);
-        end = next.acts;
+        at = round(r + 1);
+        end = at.acts;
       }
       for (const StudyAct& act : all)
-        if (act.number > at.acts && act.number <= end) journal.act(act);
+        if (act.number > begin && act.number <= end) journal.act(act);
     }
     return journal;
   }

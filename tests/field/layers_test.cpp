@@ -75,7 +75,7 @@ TEST(Layers, LanesGiveWhatSinglePointsGive) {
       EXPECT_EQ(x.seen, y.seen);
       EXPECT_EQ(x.perfect, y.perfect);
       for (std::size_t e = 0; e < x.total.size(); ++e) {
-        EXPECT_NEAR(x.total[e], y.total[e], 1e-11);
+        EXPECT_NEAR(x.total[e], y.total[e], 1e-11 + 1e-14 * std::abs(x.total[e]));
       }
       partly += x.seen[0] != 0 && ~x.seen[0] != 0;
     }

@@ -15,7 +15,7 @@
 namespace delos::test {
 
 inline PluginRegistry& plugins() {
-  static PluginRegistry registry({DELOS_PLUGINS, DELOS_TEST_PLUGINS});
+  static PluginRegistry registry({DELOS_PLUGINS});
   return registry;
 }
 

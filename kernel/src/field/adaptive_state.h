@@ -14,15 +14,13 @@ namespace delos {
 
 /// The whole of an adaptive field, grown level by level.
 struct AdaptiveField::State {
-  State(const System& system, const AdaptiveSampling& sampling,
-        const Orientations& orientations, const Metric& metric,
-        const AdaptiveOptions& options);
+  State(const System& s, const AdaptiveSampling& a, const Orientations& o,
+        const Metric& m, const AdaptiveOptions& given);
 
   void grow();
   void finish();
   [[nodiscard]] Field read(const Samples& samples, ShadowEdges edges) const;
 
- private:
   template <class Fill>
   [[nodiscard]] std::vector<PoseValue> solve(std::span<const Query> queries,
                                              Fill&& fill) const;
@@ -67,7 +65,6 @@ struct AdaptiveField::State {
   std::vector<double> error;   ///< one a cell: that, or what a shadow's edge matters
   std::size_t evaluations = 0;
 
- public:
   AdaptiveReport report;
   Field field;
 };

@@ -140,8 +140,8 @@ double field_of_view(const System& system, const PlacedDevice& placed,
   }
   for (int i = 0; i < 6; ++i)
     for (const double part : {1e-2, 0.1, 1.0})
-      tried.push_back((i % 2 == 0 ? 1 : -1) * part * distance *
-                      Eigen::Vector3d::Unit(i / 2));
+      tried.emplace_back((i % 2 == 0 ? 1 : -1) * part * distance *
+                         Eigen::Vector3d::Unit(i / 2));
   // The axes first: about one of them most views are symmetric.
   const auto at = std::find_if(tried.rbegin(), tried.rend(),
                                [&](const auto& p) { return ask.observes(p); });

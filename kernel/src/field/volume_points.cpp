@@ -55,7 +55,7 @@ class Cut {
     for (int i = 0; i < 2; ++i) {
       const double x = uniform(random_), y = uniform(random_), z = uniform(random_);
       const Eigen::Vector3d part(x, y, z);
-      out_.points.push_back(box.min() + part.cwiseProduct(box.sizes()));
+      out_.points.emplace_back(box.min() + part.cwiseProduct(box.sizes()));
       out_.weight.push_back(box.volume() / 2);
     }
   }

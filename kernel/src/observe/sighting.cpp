@@ -16,7 +16,8 @@ Sightings::Sightings(const System& system) {
                                       {&anywhere, 1}, nullptr, rows);
     if (by_rows) {
       for (const Eigen::Vector3d& marker : system.markers) {
-        const auto numbers = static_cast<std::size_t>(rows.rows * coordinates);
+        const auto numbers =
+            static_cast<std::size_t>(rows.rows) * static_cast<std::size_t>(coordinates);
         all.push_back({i, marker, true, rows.rows, coordinates, record, numbers});
         record += numbers;
       }

@@ -1,8 +1,6 @@
 // Devices in the world that see points, written once.
 #pragma once
 
-#include <cmath>
-
 #include "delos/device/reading.h"
 
 namespace delos {
@@ -74,7 +72,7 @@ class PointDevice : public Device {
     model().read(Point<double>{center.x(), center.y(), center.z()}, reading);
     const double distance = center.norm(), inside = reading.inside;
     // Rounding may not turn a touch into a certainty.
-    const double sure = radius + 1e-9 * (distance + std::abs(inside));
+    const double sure = radius + 1e-9 * distance;
     if (inside < -sure) return View::outside;
     return inside > sure && distance > sure ? View::inside : View::crossing;
   }

@@ -42,10 +42,10 @@ inline constexpr std::size_t kAnswerSamples = 10'000;
 
 using AnswerProgress = std::function<void(std::size_t done, std::size_t of)>;
 
-/// @param x the design, in the unit cube
+/// @param at the design, in the unit cube
 /// @param progress called with steps done and steps in all
 /// @cost some twenty evaluations a variable, each of which moves one device
-[[nodiscard]] Answers answers(Problem& problem, std::span<const double> x, double loss,
+[[nodiscard]] Answers answers(Problem& problem, std::span<const double> at, double loss,
                               const std::atomic<bool>* cancel = nullptr,
                               const AnswerProgress& progress = {});
 

@@ -116,7 +116,7 @@ struct OptimizeResult {
 /// near it, all by the seed. The best is scored on all samples.
 /// @throws std::invalid_argument one sentence: nothing to change, a method that doesn't
 ///         fit, or constraints that contradict each other, by name
-[[nodiscard]] OptimizeResult optimize(const Scene& scene, PluginRegistry& plugins,
+[[nodiscard]] OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
                                       const OptimizeOptions& options);
 
 }  // namespace delos

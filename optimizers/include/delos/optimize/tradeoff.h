@@ -34,7 +34,7 @@ using SearchesDone = std::function<void(std::size_t done, std::size_t of)>;
 /// @param levels     one or more, in any order
 /// @returns a point a level, from the loosest to the tightest
 /// @throws std::invalid_argument as optimize(); or there is no such constraint
-[[nodiscard]] std::vector<FrontPoint> search_front(const Scene& scene,
+[[nodiscard]] std::vector<FrontPoint> search_front(const Scene& given,
                                                    PluginRegistry& plugins,
                                                    const std::string& constraint,
                                                    std::vector<double> levels,
@@ -72,7 +72,7 @@ using Prices = std::map<std::string, double>;
 /// @throws std::invalid_argument as optimize(); a device that the variables move moves
 ///         others with it; none has variables of its own; or too few would be left
 [[nodiscard]] std::vector<DeviceCountPoint> search_counts(
-    const Scene& scene, PluginRegistry& plugins, std::size_t from, std::size_t to,
+    const Scene& given, PluginRegistry& plugins, std::size_t from, std::size_t to,
     const Prices& prices, const OptimizeOptions& options,
     const SearchesDone& progress = {});
 
