@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "delos/model/wide.h"
 #include "observe/answers.h"
 #include "observe/beacon_sightings.h"
 #include "observe/measure.h"
@@ -88,13 +89,18 @@ LayerShape::LayerShape(const System& system)
       stride(static_cast<std::size_t>(packed_index(columns, 0)) * kLanes),
       weights(fusion_weights(system)) {}
 
-void clear_block(const LayerShape& shape, int lanes, LayerBlock& block) {
+void size_block(const LayerShape& shape, int lanes, LayerBlock& block) {
   block.lanes = lanes;
-  block.layers.assign(shape.devices * shape.stride, 0.0);
+  block.layers.resize(shape.devices * shape.stride);
   block.groups.resize(shape.groups * shape.stride);
   block.total.resize(shape.stride);
   block.seen.assign(shape.devices, 0);
   block.perfect.assign(shape.devices, 0);
+}
+
+void clear_block(const LayerShape& shape, int lanes, LayerBlock& block) {
+  size_block(shape, lanes, block);
+  std::fill(block.layers.begin(), block.layers.end(), 0.0);
 }
 
 void observe_device(const System& system, const LayerShape& shape, std::size_t device,
@@ -117,12 +123,14 @@ void sum_group(const LayerShape& shape, std::size_t group, LayerBlock& block) {
   double* sum = block.groups.data() + group * shape.stride;
   std::fill_n(sum, shape.stride, 0.0);
   const std::size_t end = std::min(shape.devices, (group + 1) * kGroup);
-  for (std::size_t i = group * kGroup; i < end; ++i) {
-    if (!block.seen[i]) continue;
-    const double* layer = block.layers.data() + i * shape.stride;
-    const double weight = shape.weights[i];
-    for (std::size_t e = 0; e < shape.stride; ++e) sum[e] += weight * layer[e];
-  }
+  in_wide_vectors([&] {
+    for (std::size_t i = group * kGroup; i < end; ++i) {
+      if (!block.seen[i]) continue;
+      const double* layer = block.layers.data() + i * shape.stride;
+      const double weight = shape.weights[i];
+      for (std::size_t e = 0; e < shape.stride; ++e) sum[e] += weight * layer[e];
+    }
+  });
 }
 
 void sum_total(const LayerShape& shape, LayerBlock& block) {

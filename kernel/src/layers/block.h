@@ -35,10 +35,13 @@ struct LayerShape {
 /// Devices are summed in groups of this many.
 inline constexpr std::size_t kGroup = 8;
 
-/// Make room for `lanes` poses; all layers are zero and nothing is seen.
+/// Make room for `lanes` poses, whose layers hold any number; nothing is seen.
+void size_block(const LayerShape& shape, int lanes, LayerBlock& block);
+
+/// The same with all layers zero.
 void clear_block(const LayerShape& shape, int lanes, LayerBlock& block);
 
-/// Work out one device's layer. @pre clear_block() was called with poses.size()
+/// Work out one device's layer. @pre size_block() was called with poses.size()
 void observe_device(const System& system, const LayerShape& shape, std::size_t device,
                     std::span<const TargetPose> poses, LayerBlock& block);
 

@@ -150,7 +150,7 @@ const LayerBlock& InformationLayers::block(std::size_t b, LayerBlock& scratch) c
 
 void InformationLayers::fill(std::size_t b, LayerBlock& block) const {
   const std::span<const TargetPose> poses = poses_of(b);
-  clear_block(*shape_, static_cast<int>(poses.size()), block);
+  size_block(*shape_, static_cast<int>(poses.size()), block);
   for (std::size_t i = 0; i < shape_->devices; ++i) {
     observe_device(system_, *shape_, i, poses, block);
   }

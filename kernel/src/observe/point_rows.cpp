@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "delos/model/lanes.h"
+#include "delos/model/wide.h"
 #include "observe/answers.h"
 #include "observe/lever.h"
 #include "observe/whiten.h"
@@ -113,21 +114,28 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
   out.hidden = out.perfect = out.rays = 0;
   // Where nothing is seen, any number may stand.
   const auto if_seen = [&](int l, double x) { return rows.seen[l] > 0 ? x : 0.0; };
+  std::uint64_t perfect[kMaxLaneRows];
+  in_wide_vectors([&] {
+    for (int r = 0; r < rows.rows; ++r) {
+      pull_row<kLanes>(system.motion.layout, placed.X_WS().R, rows.H[r][0], arm[0],
+                       out.h[r][0], if_seen);
+      perfect[r] = fill_weights(rows.variance[r], placed.noise, rows.seen, points.count,
+                                out.weight[r]);
+    }
+  });
   for (int r = 0; r < rows.rows; ++r) {
-    pull_row<kLanes>(system.motion.layout, placed.X_WS().R, rows.H[r][0], arm[0],
-                     out.h[r][0], if_seen);
-    const std::uint64_t perfect = fill_weights(rows.variance[r], placed.noise,
-                                               rows.seen, points.count, out.weight[r]);
-    for (std::uint64_t left = perfect; left != 0; left &= left - 1)
+    for (std::uint64_t left = perfect[r]; left != 0; left &= left - 1)
       check_perfect(placed, rows.variance[r][std::countr_zero(left)]);
-    out.perfect |= perfect;
+    out.perfect |= perfect[r];
   }
   if (may_be_hidden(system, placed)) look(system, placed, poses, arm, sight, out);
   return true;
 }
 
-void add_information(const PointRows& rows, int columns, std::uint64_t lanes,
-                     double* layer) {
+namespace {
+
+/// layer += hᵀh weight, row by row.
+void add_rows(const PointRows& rows, int columns, std::uint64_t lanes, double* layer) {
   for (int r = 0; r < rows.rows; ++r) {
     double masked[kLanes];
     const double* weight = rows.weight[r];
@@ -146,6 +154,13 @@ void add_information(const PointRows& rows, int columns, std::uint64_t lanes,
       }
     }
   }
+}
+
+}  // namespace
+
+void add_information(const PointRows& rows, int columns, std::uint64_t lanes,
+                     double* layer) {
+  in_wide_vectors([&] { add_rows(rows, columns, lanes, layer); });
 }
 
 }  // namespace delos

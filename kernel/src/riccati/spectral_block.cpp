@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "delos/model/wide.h"
 #include "delos/riccati/spectral.h"
 #include "model/epsilon.h"
 #include "model/jacobi.h"
@@ -167,7 +168,8 @@ void spectral_pose_covariances(const CoordinateMatrix& L, int order,
                                const double* S, double* P, int* lost) {
   riccati::with_coordinates(L.rows(), [&]<int kSize>() {
     riccati::with_order(order, [&]<int kOrder>() {
-      covariances<kSize, kOrder>(L, sampling, kind, S, P, lost);
+      in_wide_vectors(
+          [&] { covariances<kSize, kOrder>(L, sampling, kind, S, P, lost); });
     });
   });
 }

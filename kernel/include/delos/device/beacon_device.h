@@ -2,6 +2,7 @@
 #pragma once
 
 #include "delos/device/reading.h"
+#include "delos/model/wide.h"
 
 namespace delos {
 
@@ -44,23 +45,24 @@ class BeaconDevice : public Device {
     return true;
   }
 
-  // Flattened, and by its own copy of the opening, which no store can change: so that
-  // compilers make vector instructions of it.
-  [[nodiscard, gnu::flatten]] bool observe_view_lanes(int view,
-                                                      const BeaconLanes& beacons,
-                                                      RowLanes& out) const override {
-    const Opening opening = model().opening(view);
+  [[nodiscard]] bool observe_view_lanes(int view, const BeaconLanes& beacons,
+                                        RowLanes& out) const override {
     double z[kRows][kLanes];
     out.rows = kRows;
-    for (int l = 0; l < beacons.count; ++l) {
-      Reading<FirstOrder, kRows> reading;
-      model().read(opening,
-                   independent(beacons.p[0][l], beacons.p[1][l], beacons.p[2][l]),
-                   lane_of(beacons.n, l), reading);
-      out.seen[l] = reading.inside.value >= 0 ? 1 : 0;
-      set_slopes(reading, l, out);
-      for (int r = 0; r < kRows; ++r) z[r][l] = reading.z[r].value;
-    }
+    in_wide_vectors([&] {
+      // A copy that no store can change: so that the loop becomes vector instructions.
+      const Opening opening = model().opening(view);
+      for (int l = 0; l < beacons.count; ++l) {
+        Reading<FirstOrder, kRows> reading;
+        model().read(opening,
+                     independent(beacons.p[0][l], beacons.p[1][l], beacons.p[2][l]),
+                     lane_of(beacons.n, l), reading);
+        out.seen[l] = reading.inside.value >= 0 ? 1 : 0;
+        set_slopes(reading, l, out);
+        for (int r = 0; r < kRows; ++r) z[r][l] = reading.z[r].value;
+      }
+    });
+    const Opening& opening = model().opening(view);
     for (int l = 0; l < beacons.count; ++l) {
       if (out.seen[l] == 0) continue;
       double read[kRows], variance[kRows];

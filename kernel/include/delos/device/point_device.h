@@ -2,6 +2,7 @@
 #pragma once
 
 #include "delos/device/reading.h"
+#include "delos/model/wide.h"
 
 namespace delos {
 
@@ -26,17 +27,18 @@ class PointDevice : public Device {
     return true;
   }
 
-  // Flattened: compilers make vector instructions of loops without calls only.
-  [[nodiscard, gnu::flatten]] bool observe_lanes(const PointLanes& points,
-                                                 RowLanes& out) const override {
+  [[nodiscard]] bool observe_lanes(const PointLanes& points,
+                                   RowLanes& out) const override {
     out.rows = kRows;
-    for (int l = 0; l < kLanes; ++l) {
-      Reading<FirstOrder, kRows> reading;
-      out.seen[l] =
-          seen(points.p[0][l], points.p[1][l], points.p[2][l], reading) ? 1 : 0;
-      set_slopes(reading, l, out);
-      for (int r = 0; r < kRows; ++r) out.variance[r][l] = reading.variance[r].value;
-    }
+    in_wide_vectors([&] {
+      for (int l = 0; l < kLanes; ++l) {
+        Reading<FirstOrder, kRows> reading;
+        out.seen[l] =
+            seen(points.p[0][l], points.p[1][l], points.p[2][l], reading) ? 1 : 0;
+        set_slopes(reading, l, out);
+        for (int r = 0; r < kRows; ++r) out.variance[r][l] = reading.variance[r].value;
+      }
+    });
     return true;
   }
 
