@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "model/van_loan.h"
+
 namespace delos {
 namespace {
 
@@ -25,6 +27,8 @@ StateMatrix blocks(int order, const CoordinateMatrix& B, Coefficient coefficient
 MotionStep discretize(const MotionModel& motion, double dt) {
   if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics))
     return {custom->A, custom->Q};
+  if (const auto* continuous = std::get_if<ContinuousMotion>(&motion.dynamics))
+    return van_loan(continuous->A, continuous->Q, dt);
 
   const CoordinateMatrix& q = std::get<ChainMotion>(motion.dynamics).q;
   const CoordinateMatrix I = CoordinateMatrix::Identity(q.rows(), q.cols());
@@ -42,7 +46,9 @@ MotionStep discretize(const MotionModel& motion, double dt) {
 }
 
 MotionStep continuous_form(const MotionModel& motion) {
-  if (!motion.is_chain()) std::abort();
+  if (!motion.in_continuous_time()) std::abort();
+  if (const auto* continuous = std::get_if<ContinuousMotion>(&motion.dynamics))
+    return {continuous->A, continuous->Q};
   const CoordinateMatrix& q = std::get<ChainMotion>(motion.dynamics).q;
   const CoordinateMatrix I = CoordinateMatrix::Identity(q.rows(), q.cols());
   const int k = motion.layout.order;

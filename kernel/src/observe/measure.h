@@ -79,14 +79,14 @@ bool measure_points(const System& system, const PlacedDevice& placed,
 template <class Row>
 void fill_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS, int orders,
               const Row& in_S, StateRow& out) {
-  const auto fill = [&](int from, int to) {
-    const Eigen::Vector3d h = in_S.template segment<3>(from).transpose();
-    turn<1>(R_WS, h.data(), out.h.data() + to);
-  };
-  const int d = layout.coordinates();
+  double* to = out.h.data();
   for (int k = 0; k < orders; ++k) {
-    if (layout.pose != PoseState::orientation) fill(6 * k, d * k);
-    if (layout.pose != PoseState::position) fill(6 * k + 3, d * k + layout.positions());
+    double in_W[kMaxCoordinates];
+    for (const int half : {0, 3}) {
+      const Eigen::Vector3d h = in_S.template segment<3>(6 * k + half).transpose();
+      turn<1>(R_WS, h.data(), in_W + half);
+    }
+    for (const int coordinate : estimated(layout.pose)) *to++ = in_W[coordinate];
   }
 }
 

@@ -206,6 +206,17 @@ void check_seen_beacons(Reader& reader, const Place& at, const DeviceEntry& devi
                           "there is no set '" + name + '\'' + suggestion(name, known));
 }
 
+/// Why a device can't measure a state of these coordinates; empty where it can.
+std::string pose_problem(const StateLayout& layout, Span span) {
+  if (span == Span::state) return "";
+  if (layout.pose == PoseState::none)
+    return "measures where the target is, but this state has no pose";
+  if (layout.pose == PoseState::planar && span != Span::point)
+    return "measures the target's whole pose, of which the state 'planar' leaves the "
+           "heading out; use planar_pose";
+  return "";
+}
+
 /// Make the device, whose plugin knows which values clash.
 void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                   const StateLayout* layout, bool single, const DeviceEntry& entry) {
@@ -220,9 +231,10 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
       return reader.error(at,
                           "measures more than the pose, of which a single reading is; "
                           "use covariance: prior or posterior");
-    if (!layout || device->span() != Span::state ||
-        device->state_size() == layout->size())
-      return;
+    if (!layout) return;
+    const std::string problem = pose_problem(*layout, device->span());
+    if (!problem.empty()) return reader.error(at, problem);
+    if (device->span() != Span::state || device->state_size() == layout->size()) return;
     std::vector<std::string> names = layout->names();
     reader.error(at, "measures a state of " + std::to_string(device->state_size()) +
                          " entries, but this motion's has " +
