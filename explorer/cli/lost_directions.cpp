@@ -31,10 +31,12 @@ std::string states_of(const StateLayout& layout, const StateVector& v) {
 }
 
 /// Lost directions of the position, 3×m, of unit length.
-Eigen::Matrix3Xd lost_positions(const StateMatrix& unobservable) {
+/// @param positions how many coordinates the position has, 2 in a plane
+Eigen::Matrix3Xd lost_positions(const StateMatrix& unobservable, int positions) {
   Eigen::Matrix3Xd lost(3, 0);
   for (Eigen::Index i = 0; i < unobservable.cols(); ++i) {
-    const Eigen::Vector3d p = unobservable.col(i).head<3>();
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    p.head(positions) = unobservable.col(i).head(positions);
     if (p.norm() < 1 - kInLine) continue;
     lost.conservativeResize(3, lost.cols() + 1);
     lost.rightCols<1>() = p.normalized();
@@ -72,13 +74,17 @@ std::vector<std::string> lost_directions(const System& system,
   std::vector<std::string> lines;
   for (Eigen::Index i = 0; i < unobservable.cols(); ++i)
     lines.push_back("lost: " + states_of(system.motion.layout, unobservable.col(i)));
-  if (system.motion.layout.pose == PoseState::orientation) return lines;
-  const Eigen::Matrix3Xd lost = lost_positions(unobservable);
+  const int positions = system.motion.layout.positions();
+  if (positions == 0) return lines;
+  const Eigen::Matrix3Xd lost = lost_positions(unobservable, positions);
   const std::vector<Eigen::Vector3d> arms = towards_devices(system, report);
   if (lost.cols() == 0 || arms.empty()) return lines;
 
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& arm : arms) spread += arm * arm.transpose();
+  for (Eigen::Vector3d arm : arms) {
+    arm.tail(3 - positions).setZero();  // as it is seen from above the plane
+    spread += arm * arm.transpose();
+  }
   const SymmetricEigen axes = symmetric_eigen(spread);
   const double least = kInLine * kInLine * axes.values(2);
   const bool line = axes.values(1) < least, plane = !line && axes.values(0) < least;
@@ -94,12 +100,16 @@ std::vector<std::string> lost_directions(const System& system,
   };
   if (plane && lost.cols() == 1 && std::abs(lost.col(0).dot(normal)) > 1 - kInLine)
     lines.push_back(who + "in one plane" + plane_words(normal, report.pose.p) +
-                    ", so that small moves out of it change no reading");
+                    ", so that small moves out of it change no reading" +
+                    (std::abs(normal.z()) > 1 - kInLine
+                         ? "; where the target can't make any, 'state: planar' says so"
+                         : ""));
   else if (line && arms.size() > 1 && all_lost([&](const Eigen::Vector3d& v) {
              return std::abs(v.dot(along)) < kInLine ||
                     std::abs(v.dot(along)) > 1 - kInLine;
            }))
-    lines.push_back(who + "on one line");
+    lines.push_back(who + "on one line" +
+                    (positions == 2 ? " as seen from above" : ""));
   return lines;
 }
 

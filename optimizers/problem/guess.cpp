@@ -19,6 +19,8 @@ double typical_guess(const System& system, const Samples& samples,
   const InformationLayers layers(system, std::move(some), {.threads = 1});
   const auto stride =
       static_cast<std::size_t>(packed_index(information_size(system), 0)) * kLanes;
+  const int size = system.motion.layout.block();
+  if (size == 0) return 1;
   std::vector<double> known;
   LayerBlock scratch;
   for (std::size_t b = 0; b < layers.block_count(); ++b) {
@@ -26,13 +28,13 @@ double typical_guess(const System& system, const Samples& samples,
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       for (int lane = 0; lane < block.lanes; ++lane) {
         if (!(block.seen[i] >> lane & 1)) continue;
-        Eigen::Matrix3d S;
-        for (int r = 0; r < 3; ++r)
+        StateMatrix S(size, size);
+        for (int r = 0; r < size; ++r)
           for (int c = 0; c <= r; ++c)
             S(r, c) = S(c, r) =
                 block.layers[i * stride + static_cast<std::size_t>(
                                               packed_index(r, c) * kLanes + lane)];
-        const double largest = symmetric_eigenvalues(S)(2);
+        const double largest = symmetric_eigenvalues(S)(size - 1);
         if (largest > 0) known.push_back(largest);
       }
     }

@@ -157,7 +157,8 @@ TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
       << text;
   EXPECT_NE(text.find("lost: z\n"), std::string::npos) << text;
   EXPECT_NE(text.find("the point and all 4 devices that see it lie in one plane, z = 0 "
-                      "m, so that small moves out of it change no reading"),
+                      "m, so that small moves out of it change no reading; where the "
+                      "target can't make any, 'state: planar' says so"),
             std::string::npos)
       << text;
   // Of the plane itself the shares are defined.
@@ -165,6 +166,28 @@ TEST(PointCommand, LeavesUndefinedWhatNoDeviceDecides) {
   const Json of_y = run(json, folder.path()).json();
   for (const Json& device : of_y["devices"])
     EXPECT_GT(device["share"].get<double>(), 0);
+}
+
+/// In a plane the same anchors are enough, and two of them in line with the tag aren't.
+TEST(PointCommand, SaysWhatIsLostInAPlane) {
+  const Folder folder;
+  folder.write("flat.yaml", kFlat);
+  const auto text = [&](const char* at, const std::string& devices) {
+    return run({"point", "flat.yaml", "--at", at, "--set", "motion.state=planar",
+                "--set", "motion.q=[0.4, 0.4]", "--set", devices},
+               folder.path())
+        .out;
+  };
+  const std::string line =
+      "devices=[{name: a, type: uwb_range, rate: 10 Hz, at: [0, 0, 1]},"
+      " {name: b, type: uwb_range, rate: 10 Hz, at: [5, 0, 3]}]";
+  EXPECT_NE(text("2,1,0", line).find("every direction is observed"), std::string::npos);
+  const std::string lost = text("2,0,0", line);
+  EXPECT_NE(
+      lost.find("lost: y\n  lost: vy\n  the point and both devices that see it lie "
+                "on one line as seen from above"),
+      std::string::npos)
+      << lost;
 }
 
 /// Two anchors and the tag on the x axis: y and z are lost, for another reason.

@@ -33,7 +33,8 @@ class MetricTable : public ::testing::Test {
   template <class Body>
   void each_metric(Body&& body) {
     std::size_t rows = 0;
-    for (const PoseState pose : {PoseState::pose, PoseState::orientation}) {
+    for (const PoseState pose : {PoseState::pose, PoseState::orientation,
+                                 PoseState::planar, PoseState::planar_pose}) {
       layout_ = {.pose = pose, .order = 2, .extra = {}};
       for (const std::string& name : metric_names(layout_)) {
         const Metric metric = std::get<Metric>(parse_metric(name, layout_));
@@ -44,7 +45,8 @@ class MetricTable : public ::testing::Test {
         ++rows;
       }
     }
-    EXPECT_EQ(rows, 12u + 8 + 6 + 6);  // deviations of the states, and the others
+    // Deviations of the states, and the others.
+    EXPECT_EQ(rows, 12u + 8 + 6 + 6 + 4 + 7 + 6 + 8);
   }
 
   StateLayout layout_;

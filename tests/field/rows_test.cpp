@@ -32,12 +32,32 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
 }
 
 constexpr PoseState kPoseStates[] = {PoseState::position, PoseState::orientation,
-                                     PoseState::pose};
+                                     PoseState::pose, PoseState::planar,
+                                     PoseState::planar_pose};
+
+/// The columns of [δp, δθ] that a state has.
+std::vector<int> columns_of(PoseState pose) {
+  switch (pose) {
+    case PoseState::position:
+      return {0, 1, 2};
+    case PoseState::orientation:
+      return {3, 4, 5};
+    case PoseState::pose:
+      return {0, 1, 2, 3, 4, 5};
+    case PoseState::planar:
+      return {0, 1};
+    case PoseState::planar_pose:
+      return {0, 1, 5};
+    case PoseState::none:
+      break;
+  }
+  return {};
+}
 
 System system_of(PoseState pose, int order, Span span, const MatrixXd& H,
                  const MatrixXd& R, const Pose& X_WS) {
   System system;
-  const int d = pose == PoseState::pose ? 6 : 3;
+  const auto d = static_cast<Eigen::Index>(columns_of(pose).size());
   system.motion = testing::chain_motion(pose, order, CoordinateMatrix::Identity(d, d));
   system.markers = {{0.3, -0.1, 0.2}};
   system.devices = {
@@ -62,13 +82,10 @@ MatrixXd rows_by_matrices(const System& system, Span span, const MatrixXd& H,
   }
   const StateLayout& layout = system.motion.layout;
   MatrixXd rows = MatrixXd::Zero(H.rows(), information_size(system));
-  const int d = layout.coordinates(), orders = span == Span::motion ? layout.order : 1;
-  for (int k = 0; k < orders; ++k) {
-    if (layout.pose != PoseState::orientation)
-      rows.middleCols<3>(d * k) = all.middleCols<3>(6 * k);
-    if (layout.pose != PoseState::position)
-      rows.middleCols<3>(d * k + layout.positions()) = all.middleCols<3>(6 * k + 3);
-  }
+  const int orders = span == Span::motion ? layout.order : 1;
+  Eigen::Index column = 0;
+  for (int k = 0; k < orders; ++k)
+    for (const int i : columns_of(layout.pose)) rows.col(column++) = all.col(6 * k + i);
   return rows;
 }
 

@@ -134,7 +134,7 @@ std::vector<Bad> bad_texts() {
       {"MotionType",
        good_with("type: position_velocity", "type: brownian"),
        {e("4:9: error: motion.type: 'brownian' is none of position, position_velocity, "
-          "position_velocity_acceleration, custom")}},
+          "position_velocity_acceleration, custom, continuous")}},
       {"QMissing",
        good_with("  " + kQ + "\n", ""),
        {e("4:3: error: motion.q: missing: this type of motion needs it")}},
@@ -177,7 +177,8 @@ std::vector<Bad> bad_texts() {
        {e("5:6: error: motion.q: custom motion is described by A and Q instead")}},
       {"AOfChain",
        good_with(kQ, kQ + "\n  A: " + rows3),
-       {e("7:6: error: motion.A: only custom motion has it; q describes this type")}},
+       {e("7:6: error: motion.A: only custom and continuous motion have it; q "
+          "describes this type")}},
       {"CustomWithoutA",
        motion("  type: custom\n  Q: " + rows3 + "\n"),
        {e("4:3: error: motion.A: missing: this type of motion needs it")}},
@@ -288,7 +289,7 @@ TEST(RefusalOfSeveral, ReportsAllInTheOrderOfTheText) {
       loaded.findings,
       (std::vector<std::string>{
           "scene.yaml:3:3: error: motion.type: missing: position, position_velocity, "
-          "position_velocity_acceleration or custom",
+          "position_velocity_acceleration, custom or continuous",
           "scene.yaml:4:3: error: motion.typ: unknown key; did you mean 'type'?",
           "scene.yaml:5:57: error: sample.volume.step: must be above 0",
           "scene.yaml:6:1: error: metrik: unknown key; did you mean 'metric'?",

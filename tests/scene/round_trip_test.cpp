@@ -71,7 +71,7 @@ class Draw {
 
   MotionModel motion() {
     MotionModel m;
-    m.layout.pose = static_cast<PoseState>(upto(2));
+    m.layout.pose = static_cast<PoseState>(upto(4));
     m.layout.order = 1 + upto(2);
     if (coin()) {
       m.dynamics = ChainMotion{noise(m.layout.coordinates())};
@@ -79,8 +79,12 @@ class Draw {
     }
     for (int i = upto(2); i > 0; --i) m.layout.extra.push_back("b" + std::to_string(i));
     const int n = m.layout.size();
-    m.dynamics = CustomMotion{
-        Eigen::MatrixXd::NullaryExpr(n, n, [&] { return number(); }), noise(n)};
+    const Eigen::MatrixXd A =
+        Eigen::MatrixXd::NullaryExpr(n, n, [&] { return number(); });
+    if (coin())
+      m.dynamics = ContinuousMotion{A, noise(n)};
+    else
+      m.dynamics = CustomMotion{A, noise(n)};
     return m;
   }
 
@@ -112,7 +116,7 @@ class Draw {
     if (d.name.find_first_of(".=") != std::string::npos) d.name = "d";
     d.name += std::to_string(index);
     d.type = "probe";
-    d.rate = scene.motion.is_chain() ? positive() : 50;
+    d.rate = scene.motion.in_continuous_time() ? positive() : 50;
     if (coin()) d.phase = positive();
     if (!scene.groups.empty() && coin()) d.group = scene.groups.front().name;
     d.placement = placement();
@@ -132,7 +136,8 @@ class Draw {
     Scene s;
     if (coin()) s.name = word();
     s.motion = motion();
-    if (s.motion.is_chain() && coin()) s.fusion = static_cast<Fusion>(1 + upto(3));
+    if (s.motion.in_continuous_time() && coin())
+      s.fusion = static_cast<Fusion>(1 + upto(3));
     for (int i = upto(2); i >= 0; --i) s.samples.push_back(set(i));
     if (coin()) s.orientations.rpy = vectors();
     if (coin()) s.orientations.combine = OrientationRule::mean;
@@ -179,6 +184,7 @@ TEST(RoundTrip, TellsScenesApart) {
   differs([](Scene& s) { s.name = "x"; });
   differs([](Scene& s) { std::get<ChainMotion>(s.motion.dynamics).q(1, 1) += 1e-16; });
   differs([](Scene& s) { s.motion.layout.pose = PoseState::orientation; });
+  differs([](Scene& s) { s.motion.layout.pose = PoseState::planar_pose; });
   differs([](Scene& s) { s.fusion = Fusion::stacked; });
   differs([](Scene& s) { s.samples[0].name = "x"; });
   differs([](Scene& s) { std::get<VolumeSampling>(s.samples[0].shape).step.z() = 1; });

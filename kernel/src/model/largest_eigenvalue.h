@@ -1,4 +1,4 @@
-// The largest eigenvalue of a symmetric 3×3 matrix in closed form.
+// The largest eigenvalue of a symmetric matrix of up to 3×3 in closed form.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,6 +59,14 @@ inline double jacobi_eigenvalue(const Eigen::Matrix3d& P) {
 }
 
 /// λmax of one matrix.
+inline double largest_eigenvalue(const Eigen::Matrix<double, 1, 1>& P) {
+  return P(0, 0);
+}
+/// λmax = m + √(d² + p²),  m = (a + c)/2,  d = (a − c)/2 of [a, p; p, c]
+inline double largest_eigenvalue(const Eigen::Matrix2d& P) {
+  const double d = (P(0, 0) - P(1, 1)) / 2, p = P(1, 0);
+  return (P(0, 0) + P(1, 1)) / 2 + std::sqrt(d * d + p * p);
+}
 inline double largest_eigenvalue(const Eigen::Matrix3d& P) {
   const auto [value, accurate] =
       cubic_eigenvalue(P(0, 0), P(1, 0), P(1, 1), P(2, 0), P(2, 1), P(2, 2));

@@ -10,8 +10,9 @@ namespace {
 
 bool has(const StateLayout& layout, MetricReads reads) {
   if (reads == MetricReads::position || reads == MetricReads::horizontal)
-    return layout.pose != PoseState::orientation;
-  if (reads == MetricReads::orientation) return layout.pose != PoseState::position;
+    return layout.positions() > 0;
+  if (reads == MetricReads::orientation) return layout.turns() > 0;
+  if (reads == MetricReads::block) return layout.block() > 0;
   return reads != MetricReads::one_state;  // named by their states
 }
 
@@ -41,7 +42,9 @@ std::string unit_of(const MetricRow& row, const StateLayout& layout) {
   const bool turns = row.reads == MetricReads::orientation ||
                      (row.reads == MetricReads::block && layout.positions() == 0);
   const std::string unit = turns ? "rad" : "m";
-  return row.power == 1 ? unit : unit + "^" + std::to_string(row.power);
+  const int power =
+      row.kind == MetricKind::det ? row.power * layout.block() : row.power;
+  return power == 1 ? unit : unit + "^" + std::to_string(power);
 }
 
 }  // namespace

@@ -14,49 +14,108 @@
 namespace delos {
 namespace {
 
-using Block3 = Eigen::Matrix3d;
+template <int kSize>
+using Block = Eigen::Matrix<double, kSize, kSize>;
 
-double trace_of(const Block3& P) { return P.trace(); }
-double determinant_of(const Block3& P) { return P.determinant(); }
-/// √Σ λᵢ² is the Frobenius norm.
-double norm_of(const Block3& P) { return P.norm(); }
-
-Block3 trace_slope(const Block3&, double) { return Block3::Identity(); }
-/// ∂|P|/∂P = |P| P⁻¹
-Block3 determinant_slope(const Block3& P, double det) { return det * P.inverse(); }
-Block3 norm_slope(const Block3& P, double norm) { return P / norm; }
-
-template <double (*phi)(const Block3&)>
-double of_block(const CovarianceBlock& P) {
-  return phi(P);
-}
-
-template <double (*phi)(const Block3&), Block3 (*slope)(const Block3&, double)>
-void one_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
-  out.count = 1;
-  out.value[0] = phi(P);
-  if (slopes) out.slope[0] = slope(P, out.value[0]);
-}
-
-template <double (*phi)(const Block3&)>
-void in_lanes(const double* const P[6], double* values) {
-  for (int l = 0; l < kLanes; ++l) {
-    Block3 at;
-    at << P[0][l], P[1][l], P[3][l],  //
-        P[1][l], P[2][l], P[4][l],    //
-        P[3][l], P[4][l], P[5][l];
-    values[l] = phi(at);
+/// Calls f.template operator()<b>() for the sizes of blocks of a place or a turn.
+template <class F>
+decltype(auto) with_block(Eigen::Index size, F&& f) {
+  switch (size) {
+    case 1:
+      return f.template operator()<1>();
+    case 2:
+      return f.template operator()<2>();
+    default:
+      return f.template operator()<3>();
   }
+}
+
+// What one number says of a block, and its slope there.
+
+struct Trace {
+  template <int b>
+  static double value(const Block<b>& P) {
+    return P.trace();
+  }
+  template <int b>
+  static Block<b> slope(const Block<b>&, double) {
+    return Block<b>::Identity();
+  }
+};
+
+struct Determinant {
+  template <int b>
+  static double value(const Block<b>& P) {
+    return P.determinant();
+  }
+  /// ∂|P|/∂P = |P| P⁻¹
+  template <int b>
+  static Block<b> slope(const Block<b>& P, double det) {
+    return det * P.inverse();
+  }
+};
+
+/// √Σ λᵢ² is the Frobenius norm.
+struct Norm {
+  template <int b>
+  static double value(const Block<b>& P) {
+    return P.norm();
+  }
+  template <int b>
+  static Block<b> slope(const Block<b>& P, double norm) {
+    return P / norm;
+  }
+};
+
+struct Largest {
+  template <int b>
+  static double value(const Block<b>& P) {
+    return largest_eigenvalue(P);
+  }
+};
+
+template <class Number>
+double of_block(const CovarianceBlock& P) {
+  return with_block(P.rows(), [&]<int b>() { return Number::value(Block<b>(P)); });
+}
+
+template <class Number>
+void one_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
+  with_block(P.rows(), [&]<int b>() {
+    const Block<b> block = P;
+    out.count = 1;
+    out.value[0] = Number::value(block);
+    if (slopes) out.slope[0] = Number::slope(block, out.value[0]);
+  });
+}
+
+template <class Number>
+void in_lanes(const double* const P[6], int size, double* values) {
+  with_block(size, [&]<int b>() {
+    for (int l = 0; l < kLanes; ++l) {
+      Block<b> at;
+      for (int i = 0; i < b; ++i)
+        for (int j = 0; j <= i; ++j) at(i, j) = at(j, i) = P[packed_index(i, j)][l];
+      values[l] = Number::value(at);
+    }
+  });
+}
+
+void largest_in_lanes(const double* const P[6], int size, double* values) {
+  if (size == 3) return largest_eigenvalues(P, values);
+  in_lanes<Largest>(P, size, values);
 }
 
 /// λᵢ and uᵢ uᵢᵀ.
 void eigenvalues(const CovarianceBlock& P, bool slopes, MetricParts& out) {
-  const auto eigen = jacobi_eigen<3>(P);
-  out.count = 3;
-  for (int i = 0; i < 3; ++i) {
-    out.value[i] = eigen.lambda(i);
-    if (slopes) out.slope[i] = eigen.U.col(i) * eigen.U.col(i).transpose();
-  }
+  with_block(P.rows(), [&]<int b>() {
+    const auto eigen = jacobi_eigen<b>(P);
+    out.count = b;
+    for (int i = 0; i < b; ++i) {
+      out.value[i] = eigen.lambda(i);
+      if (slopes) out.slope[i] = eigen.U.col(i) * eigen.U.col(i).transpose();
+    }
+  });
 }
 
 double variance(const CovarianceBlock& P) { return P(0, 0); }
@@ -72,7 +131,7 @@ void horizontal_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
   out.value[0] = horizontal(P);
   if (slopes) out.slope[0].setIdentity(2, 2);
 }
-void horizontals(const double* const P[6], double* values) {
+void horizontals(const double* const P[6], int, double* values) {
   for (int l = 0; l < kLanes; ++l) values[l] = P[0][l] + P[2][l];
 }
 
@@ -90,9 +149,9 @@ void likelihood_part(const CovarianceBlock& P, bool slopes, MetricParts& out) {
   if (slopes) out.slope[0] = -out.value[0] / 2 * StateMatrix(StateMatrix(P).inverse());
 }
 
-constexpr auto kTrace = of_block<trace_of>;
-constexpr auto kTracePart = one_part<trace_of, trace_slope>;
-constexpr auto kTraces = in_lanes<trace_of>;
+constexpr auto kTrace = of_block<Trace>;
+constexpr auto kTracePart = one_part<Trace>;
+constexpr auto kTraces = in_lanes<Trace>;
 
 // Convex in P: P_ii and tr P, which are linear; λmax = max_u uᵀPu and ‖P‖, a maximum
 // and a norm; |P|^(−1/2), the exponential of the convex −½ log |P|. |P| is neither
@@ -108,16 +167,15 @@ constexpr MetricRow kTable[] = {
     {"sigma_orientation", MetricKind::sigma_orientation, MetricReads::orientation, 1,
      false, true, true, kTrace, kTracePart, kTraces},
     {"eigmax", MetricKind::eigmax, MetricReads::block, 1, false, true, true,
-     of_block<largest_eigenvalue>, eigenvalues, largest_eigenvalues},
+     of_block<Largest>, eigenvalues, largest_in_lanes},
     {"eiglen", MetricKind::eiglen, MetricReads::block, 1, false, true, true,
-     of_block<norm_of>, one_part<norm_of, norm_slope>, in_lanes<norm_of>},
+     of_block<Norm>, one_part<Norm>, in_lanes<Norm>},
     {"mle", MetricKind::mle, MetricReads::whole_state, 0, true, false, true, likelihood,
      likelihood_part, nullptr},
     {"trace", MetricKind::trace, MetricReads::block, 2, false, false, true, kTrace,
      kTracePart, kTraces},
-    {"det", MetricKind::det, MetricReads::block, 6, false, false, false,
-     of_block<determinant_of>, one_part<determinant_of, determinant_slope>,
-     in_lanes<determinant_of>},
+    {"det", MetricKind::det, MetricReads::block, 2, false, false, false,
+     of_block<Determinant>, one_part<Determinant>, in_lanes<Determinant>},
     {"coverage", MetricKind::coverage, MetricReads::devices, 0, true, false, false,
      nullptr, nullptr, nullptr},
     {"footprint", MetricKind::footprint, MetricReads::devices, 1, false, false, false,
@@ -192,11 +250,11 @@ BlockPlace place_of(const Metric& metric, const StateLayout& layout) {
     case MetricReads::horizontal:
       return {0, 2};
     case MetricReads::orientation:
-      return {layout.positions(), 3};
+      return {layout.positions(), layout.turns()};
     case MetricReads::whole_state:
       return {0, layout.size()};
     default:
-      return {0, 3};
+      return {0, layout.block()};
   }
 }
 
@@ -215,12 +273,15 @@ double metric_value(const Metric& metric, const StateLayout& layout,
 void metric_values(const Metric& metric, const StateLayout& layout, const double* P,
                    double* values) {
   const MetricRow& row = row_of(metric.kind);
-  const int s = place_of(metric, layout).first;
-  const auto at = [&](int i, int j) { return P + packed_index(s + i, s + j) * kLanes; };
+  const auto [s, size] = place_of(metric, layout);
+  const auto at = [P, s = s](int i, int j) {
+    return P + packed_index(s + i, s + j) * kLanes;
+  };
   if (row.lanes) {
-    const double* block[6] = {at(0, 0), at(1, 0), at(1, 1),
-                              at(2, 0), at(2, 1), at(2, 2)};
-    row.lanes(block, values);
+    const double* block[6] = {};
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j <= i; ++j) block[packed_index(i, j)] = at(i, j);
+    row.lanes(block, size, values);
   } else {
     std::copy_n(at(0, 0), kLanes, values);
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "model/van_loan.h"
+
 namespace delos {
 namespace {
 
@@ -43,6 +45,8 @@ MotionStep with_own(const MotionModel& motion, const MotionStep& target,
 MotionStep discretize_target(const MotionModel& motion, double dt) {
   if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics))
     return {custom->A, custom->Q};
+  if (const auto* continuous = std::get_if<ContinuousMotion>(&motion.dynamics))
+    return van_loan(continuous->A, continuous->Q, dt);
 
   const CoordinateMatrix& q = std::get<ChainMotion>(motion.dynamics).q;
   const CoordinateMatrix I = CoordinateMatrix::Identity(q.rows(), q.cols());
@@ -73,16 +77,17 @@ MotionStep discretize(const MotionModel& motion, double dt) {
 }
 
 MotionStep continuous_form(const MotionModel& motion) {
-  if (!motion.is_chain()) std::abort();
+  if (!motion.in_continuous_time()) std::abort();
+  const auto drift = [](const GaussMarkov& state) { return -1 / state.time_constant; };
+  const auto density = [](const GaussMarkov& state) { return state.density; };
+  if (const auto* continuous = std::get_if<ContinuousMotion>(&motion.dynamics))
+    return with_own(motion, {continuous->A, continuous->Q}, drift, density);
   const CoordinateMatrix& q = std::get<ChainMotion>(motion.dynamics).q;
   const CoordinateMatrix I = CoordinateMatrix::Identity(q.rows(), q.cols());
   const int k = motion.layout.order;
-  const auto drift = [](int i, int j) { return j == i + 1 ? 1.0 : 0.0; };
-  const auto noise = [k](int i, int j) { return i == k - 1 && j == k - 1 ? 1.0 : 0.0; };
-  return with_own(
-      motion, {blocks(k, I, drift), blocks(k, q, noise)},
-      [](const GaussMarkov& state) { return -1 / state.time_constant; },
-      [](const GaussMarkov& state) { return state.density; });
+  const auto next = [](int i, int j) { return j == i + 1 ? 1.0 : 0.0; };
+  const auto last = [k](int i, int j) { return i == k - 1 && j == k - 1 ? 1.0 : 0.0; };
+  return with_own(motion, {blocks(k, I, next), blocks(k, q, last)}, drift, density);
 }
 
 }  // namespace delos

@@ -6,13 +6,11 @@
 namespace delos {
 namespace {
 
-/// Calls visit(derivative, coordinate) in the order of the state vector; coordinates
-/// count from 0, x, to 5, yaw.
+/// Calls visit(derivative, coordinate) in the order of the state vector.
 template <class Visit>
 void for_each_chain_state(const StateLayout& layout, Visit visit) {
-  const int first = layout.positions() == 0 ? 3 : 0;
   for (int derivative = 0; derivative < layout.order; ++derivative)
-    for (int i = 0; i < layout.coordinates(); ++i) visit(derivative, first + i);
+    for (const int coordinate : estimated(layout.pose)) visit(derivative, coordinate);
 }
 
 }  // namespace

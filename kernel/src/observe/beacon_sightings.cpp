@@ -9,6 +9,7 @@
 #include "observe/beacon_choice.h"
 #include "observe/lever.h"
 #include "observe/whiten.h"
+#include "riccati/dispatch.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -154,7 +155,8 @@ void see_candidates(const System& system, const PlacedDevice& placed,
 }
 
 bool add_information(const BeaconSightings& sightings, int coordinates, double* S) {
-  return coordinates == 3 ? add_rows<3>(sightings, S) : add_rows<6>(sightings, S);
+  return riccati::with_coordinates(coordinates,
+                                   [&]<int d>() { return add_rows<d>(sightings, S); });
 }
 
 }  // namespace delos

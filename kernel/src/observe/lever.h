@@ -9,6 +9,8 @@
 //
 //     [g, arm × g],   g = h R_SW
 //
+// of which a state has those that it estimates: all, or in a plane x, y and yaw.
+//
 // A device on the target sees a beacon of the world, at an arm from the target's
 // origin, move the other way: g = −h R_SW.
 #pragma once
@@ -57,12 +59,28 @@ template <int count, class Result = AsTheyAre>
   if (layout.pose == PoseState::position) return turn<count>(R_WS, h, row, result);
   double g[3 * count];
   turn<count>(R_WS, h, g, result);
-  if (layout.pose == PoseState::pose) std::copy_n(g, 3 * count, row);
-  for (int i = 0; i < 3; ++i) {
+  const auto cross = [&](int i, double* of_turn) {  // (arm × g)_i
     const int j = (i + 1) % 3 * count, k = (i + 2) % 3 * count;
-    double* of_turn = row + (layout.positions() + i) * count;
     for (int l = 0; l < count; ++l)
       of_turn[l] = arm[j + l] * g[k + l] - arm[k + l] * g[j + l];
+  };
+  switch (layout.pose) {
+    case PoseState::pose:
+      std::copy_n(g, 3 * count, row);
+      row += 3 * count;
+      [[fallthrough]];
+    case PoseState::orientation:
+      for (int i = 0; i < 3; ++i) cross(i, row + i * count);
+      break;
+    case PoseState::planar_pose:
+      cross(2, row + 2 * count);
+      [[fallthrough]];
+    case PoseState::planar:
+      std::copy_n(g, 2 * count, row);
+      break;
+    case PoseState::position:
+    case PoseState::none:
+      break;
   }
 }
 

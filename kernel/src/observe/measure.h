@@ -91,15 +91,16 @@ bool measure_points(const System& system, const PlacedDevice& placed,
 template <class Row>
 void fill_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS,
               const Eigen::Vector3d& arm, int orders, const Row& in_S, StateRow& out) {
-  const int d = layout.coordinates();
+  double* to = out.h.data();
   for (int k = 0; k < orders; ++k) {
-    const Eigen::Vector3d of_point = in_S.template segment<3>(6 * k).transpose();
-    pull_row<1>(layout, R_WS, of_point.data(), arm.data(), out.h.data() + d * k);
-    if (layout.pose == PoseState::position) continue;
-    const Eigen::Vector3d of_turn = in_S.template segment<3>(6 * k + 3).transpose();
-    Eigen::Vector3d turned;
-    turn<1>(R_WS, of_turn.data(), turned.data());
-    out.h.segment<3>(d * k + layout.positions()) += turned.transpose();
+    double in_W[kMaxCoordinates];
+    for (const int half : {0, 3}) {
+      const Eigen::Vector3d h = in_S.template segment<3>(6 * k + half).transpose();
+      turn<1>(R_WS, h.data(), in_W + half);
+    }
+    Eigen::Map<Eigen::Vector3d>(in_W + 3) +=
+        arm.cross(Eigen::Map<const Eigen::Vector3d>(in_W));
+    for (const int coordinate : estimated(layout.pose)) *to++ = in_W[coordinate];
   }
 }
 

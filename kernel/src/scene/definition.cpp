@@ -40,14 +40,14 @@ std::map<std::string, RateSource> varied_rates(const Scene& scene) {
 }
 
 Fusion default_fusion(const Scene& scene) {
-  const bool one = !scene.motion.is_chain() || has_one_rate(scene);
+  const bool one = !scene.motion.in_continuous_time() || has_one_rate(scene);
   return one ? Fusion::stacked : Fusion::continuous;
 }
 
 /// Whether a scene can have this fusion.
 bool takes(const Scene& scene, Fusion fusion) {
   if (fusion == Fusion::stacked) return has_one_rate(scene);
-  return scene.motion.is_chain() ||
+  return scene.motion.in_continuous_time() ||
          (fusion != Fusion::continuous && fusion != Fusion::periodic);
 }
 

@@ -243,11 +243,20 @@ bool measures(const Device& device, const StateLayout& layout) {
   for (int k = 0; k < layout.order; ++k) {
     const bool moves = !out.H.middleCols(6 * k, 3).isZero(0),
                turns = !out.H.middleCols(6 * k + 3, 3).isZero(0);
-    if ((moves && layout.positions() > 0) ||
-        (turns && layout.pose != PoseState::position))
-      return true;
+    if ((moves && layout.positions() > 0) || (turns && layout.turns() > 0)) return true;
   }
   return false;
+}
+
+/// Why a device can't measure a state of these coordinates; empty where it can.
+std::string pose_problem(const StateLayout& layout, Span span) {
+  if (span == Span::state) return "";
+  if (layout.pose == PoseState::none)
+    return "measures where the target is, but this state has no pose";
+  if (layout.pose == PoseState::planar && span != Span::point)
+    return "measures the target's whole pose, of which the state 'planar' leaves the "
+           "heading out; use planar_pose";
+  return "";
 }
 
 /// Make the device, whose plugin knows which values clash.
@@ -269,12 +278,13 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
       return reader.error(at,
                           "measures more than the pose, of which a single reading is; "
                           "use covariance: prior or posterior");
-    if (layout && device->span() == Span::motion && !measures(*device, *layout))
+    if (!layout) return;
+    const std::string problem = pose_problem(*layout, device->span());
+    if (!problem.empty()) return reader.error(at, problem);
+    if (device->span() == Span::motion && !measures(*device, *layout))
       return reader.error(at, entry.type + " measures none of this motion's states: " +
                                   joined(layout->names()));
-    if (!layout || device->span() != Span::state ||
-        device->state_size() == layout->size())
-      return;
+    if (device->span() != Span::state || device->state_size() == layout->size()) return;
     std::vector<std::string> names = layout->names();
     reader.error(at, "measures a state of " + std::to_string(device->state_size()) +
                          " entries, but this motion's has " +

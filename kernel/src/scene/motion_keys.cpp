@@ -4,6 +4,7 @@
 #include <set>
 
 #include "delos/text/units.h"
+#include "delos/text/words.h"
 #include "document/node_text.h"
 #include "scene/noise_check.h"
 #include "scene/words.h"
@@ -11,12 +12,14 @@
 namespace delos {
 namespace {
 
-/// Types of motion: the order of a chain, 0 for custom.
+/// Types of motion: the order of a chain, or what A and Q are of.
+constexpr int kOneUpdate = 0, kContinuous = -1;
 constexpr std::pair<const char*, int> kMotionWords[] = {
     {"position", 1},
     {"position_velocity", 2},
     {"position_velocity_acceleration", 3},
-    {"custom", 0},
+    {"custom", kOneUpdate},
+    {"continuous", kContinuous},
 };
 
 /// What the keys say, before they are put together.
@@ -26,6 +29,8 @@ struct MotionDraft {
   std::optional<std::vector<std::string>> names;
   std::optional<CoordinateMatrix> q;
   std::optional<Eigen::MatrixXd> A, Q;
+
+  [[nodiscard]] bool is_chain() const { return type.value_or(0) > 0; }
 };
 
 /// SI unit of entry (i, j) of q: the product of two coordinates over s^(2k−1).
@@ -71,7 +76,7 @@ void read_full_q(Reader& reader, const Place& at, MotionDraft& draft) {
 }
 
 void read_q(Reader& reader, const Place& at, MotionDraft& draft) {
-  if (!draft.type || *draft.type == 0) return;
+  if (!draft.is_chain() || draft.layout.coordinates() == 0) return;
   if (!reader.expect(at, Node::Kind::list, "a list of numbers or of rows")) return;
   const auto& items = at.node().items;
   const auto d = static_cast<std::size_t>(draft.layout.coordinates());
@@ -112,32 +117,35 @@ void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>
 
 constexpr std::array<Key<MotionDraft>, 7> kKeys = {{
     {"type", Need::required,
-     "position, position_velocity, position_velocity_acceleration or custom",
+     "position, position_velocity, position_velocity_acceleration, custom or "
+     "continuous",
      [](Reader& r, const Place& p, MotionDraft& d) {
        d.type = r.choice(p, kMotionWords);
-       if (d.type.value_or(0) > 0) d.layout.order = *d.type;
+       if (d.is_chain()) d.layout.order = *d.type;
      },
      [](const MotionDraft& d) -> std::optional<Node> {
        return to_node(word_of(kMotionWords, *d.type));
      }},
-    {"state", Need::optional, "what is estimated: position, orientation or pose",
+    {"state", Need::optional,
+     "what is estimated: position, orientation, pose, planar, planar_pose or none",
      [](Reader& r, const Place& p, MotionDraft& d) {
        if (const auto pose = r.choice(p, kPoseStateWords)) d.layout.pose = *pose;
      },
      [](const MotionDraft& d) -> std::optional<Node> {
        return to_node(word_of(kPoseStateWords, d.layout.pose));
      }},
-    {"order", Need::optional, "custom: blocks of coordinates, 1 to 3; default 1",
+    {"order", Need::optional,
+     "custom and continuous: blocks of coordinates, 1 to 3; default 1",
      [](Reader& r, const Place& p, MotionDraft& d) {
        const auto order = r.integer(p, 1, 3);
-       if (order && d.type == 0) d.layout.order = *order;
+       if (order && !d.is_chain()) d.layout.order = *order;
      },
      [](const MotionDraft& d) -> std::optional<Node> {
-       if (*d.type > 0) return std::nullopt;
+       if (d.is_chain() || d.layout.coordinates() == 0) return std::nullopt;
        return to_node(d.layout.order);
      }},
-    {"names", Need::optional, "custom: names of the states behind the blocks",
-     read_names,
+    {"names", Need::optional,
+     "custom and continuous: names of the states behind the blocks", read_names,
      [](const MotionDraft& d) -> std::optional<Node> {
        if (d.layout.extra.empty()) return std::nullopt;
        std::vector<Node> names;
@@ -153,13 +161,15 @@ constexpr std::array<Key<MotionDraft>, 7> kKeys = {{
        if (d.q->isDiagonal(0)) return vector_node(d.q->diagonal());
        return matrix_node(*d.q);
      }},
-    {"A", Need::optional, "custom: transition of one update, n×n, SI",
+    {"A", Need::optional,
+     "custom: transition of one update; continuous: drift; n×n, SI",
      [](Reader& r, const Place& p, MotionDraft& d) { read_square(r, p, d.A); },
      [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.A) return std::nullopt;
        return matrix_node(*d.A);
      }},
-    {"Q", Need::optional, "custom: process noise of one update, n×n, SI",
+    {"Q", Need::optional,
+     "custom: process noise of one update; continuous: its spectral density; n×n, SI",
      [](Reader& r, const Place& p, MotionDraft& d) { read_square(r, p, d.Q); },
      [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.Q) return std::nullopt;
@@ -179,17 +189,32 @@ void check_keys(Reader& reader, const Place& at, const MotionDraft& draft) {
                              {"A", true, Need::required},
                              {"Q", true, Need::required},
                              {"q", false, Need::required}};
-  const bool custom = *draft.type == 0;
+  const bool custom = !draft.is_chain();
   for (const Rule& rule : kRules) {
     const Node* node = at.node().find(rule.key);
     if (node && rule.custom != custom)
       reader.error_within(at, node->mark, rule.key,
-                          custom ? "custom motion is described by A and Q instead"
-                                 : "only custom motion has it; q describes this type");
+                          custom ? word_of(kMotionWords, *draft.type) +
+                                       std::string(" motion is described by A and Q "
+                                                   "instead")
+                                 : "only custom and continuous motion have it; q "
+                                   "describes this type");
     if (!node && rule.custom == custom && rule.need == Need::required)
       reader.error_within(at, at.node().mark, rule.key,
                           "missing: this type of motion needs it");
   }
+}
+
+/// A state without a pose is described by matrices, and has no blocks.
+void check_pose(Reader& reader, const Place& at, const MotionDraft& draft) {
+  if (draft.layout.coordinates() > 0) return;
+  if (draft.is_chain())
+    reader.error_within(at, at.node().find("state")->mark, "state",
+                        "is for custom and continuous motion; this type moves "
+                        "coordinates of a pose");
+  else if (const Node* node = at.node().find("order"))
+    reader.error_within(at, node->mark, "order",
+                        "is of blocks of coordinates, but this state has none");
 }
 
 void name_extra_states(Reader& reader, const Place& at, MotionDraft& draft) {
@@ -231,17 +256,20 @@ void finish_custom(Reader& reader, const Place& at, MotionDraft& draft,
     return;
   }
   if (draft.A->rows() < draft.layout.size()) {
-    reader.error(Place(at, "A", *at.node().find("A")),
-                 "has " + std::to_string(draft.A->rows()) + " states, but " +
-                     std::to_string(draft.layout.order) + " × " +
-                     std::to_string(draft.layout.coordinates()) +
-                     " coordinates need at least " +
-                     std::to_string(draft.layout.size()));
+    reader.error(
+        Place(at, "A", *at.node().find("A")),
+        "has " + delos::counted(static_cast<std::size_t>(draft.A->rows()), "state") +
+            ", but " + std::to_string(draft.layout.order) + " × " +
+            std::to_string(draft.layout.coordinates()) + " coordinates need at least " +
+            std::to_string(draft.layout.size()));
     return;
   }
   name_extra_states(reader, at, draft);
   out.layout = draft.layout;
-  out.dynamics = CustomMotion{*draft.A, *draft.Q};
+  if (*draft.type == kContinuous)
+    out.dynamics = ContinuousMotion{*draft.A, *draft.Q};
+  else
+    out.dynamics = CustomMotion{*draft.A, *draft.Q};
 }
 
 }  // namespace
@@ -250,7 +278,8 @@ void read_motion(Reader& reader, const Place& at, MotionModel& out) {
   MotionDraft draft;
   if (!read_map(reader, at, kKeys, draft) || !draft.type) return;
   check_keys(reader, at, draft);
-  if (*draft.type == 0) {
+  check_pose(reader, at, draft);
+  if (!draft.is_chain()) {
     finish_custom(reader, at, draft, out);
   } else {
     out.layout = draft.layout;
@@ -260,13 +289,19 @@ void read_motion(Reader& reader, const Place& at, MotionModel& out) {
 
 Node write_motion(const MotionModel& motion) {
   MotionDraft draft;
-  draft.type = motion.is_chain() ? motion.layout.order : 0;
   draft.layout = motion.layout;
-  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics))
+  const auto of_matrices = [&](int type, const auto& custom) {
+    draft.type = type;
+    draft.A = custom.A;
+    draft.Q = custom.Q;
+  };
+  if (const auto* chain = std::get_if<ChainMotion>(&motion.dynamics)) {
+    draft.type = motion.layout.order;
     draft.q = chain->q;
-  if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics)) {
-    draft.A = custom->A;
-    draft.Q = custom->Q;
+  } else if (const auto* custom = std::get_if<CustomMotion>(&motion.dynamics)) {
+    of_matrices(kOneUpdate, *custom);
+  } else {
+    of_matrices(kContinuous, std::get<ContinuousMotion>(motion.dynamics));
   }
   return write_map(kKeys, draft);
 }

@@ -195,7 +195,7 @@ class Walk {
 
   SceneNumber of_noise(MotionModel& motion) {
     auto* chain = std::get_if<ChainMotion>(&motion.dynamics);
-    if (!chain) fail("a custom motion has no q");
+    if (!chain) fail("this type of motion has no q");
     if (!chain->q.isDiagonal(0))
       fail("q is a matrix, of which single numbers can't change by themselves");
     const auto i =

@@ -103,7 +103,12 @@ constexpr std::array<Key<SceneDraft>, 22> kSceneKeys = {{
     {"covariance", Need::optional,
      "the one that the metric reads: prior, posterior or single",
      [](Reader& r, const Place& p, SceneDraft& d) {
-       if (const auto kind = r.choice(p, kCovarianceWords)) d.scene.covariance = *kind;
+       const auto kind = r.choice(p, kCovarianceWords);
+       const bool no_pose = d.known.motion && d.scene.motion.layout.coordinates() == 0;
+       if (kind == CovarianceKind::single && no_pose)
+         r.error(p, "single is of the target's pose, which this state doesn't have");
+       else if (kind)
+         d.scene.covariance = *kind;
      },
      [](const SceneDraft& d) -> Written {
        return to_node(to_string(d.scene.covariance));
@@ -231,7 +236,7 @@ void check_fusion(Reader& reader, const Place& root, const Scene& scene) {
     reader.error_within(root, given ? given->mark : motion->mark,
                         given ? "fusion" : "motion", problem);
   };
-  const bool custom = !scene.motion.is_chain();
+  const bool custom = !scene.motion.in_continuous_time();
   if (scene.fusion == Fusion::stacked && a)
     refuse("stacked needs one rate, but " + rates_text(*a, *b) +
            (custom ? "; make them equal" : "; use continuous or periodic"));
@@ -249,7 +254,7 @@ void check_fusion(Reader& reader, const Place& root, const Scene& scene) {
 /// Variables may not part rates that must be one.
 void check_varied_rates(Reader& reader, const Place& root, const Scene& scene) {
   if (has_one_rate(scene)) return;
-  const bool custom = !scene.motion.is_chain();
+  const bool custom = !scene.motion.in_continuous_time();
   if (!custom && scene.fusion != Fusion::stacked) return;
   const std::string why = custom ? "custom motion is one update of one rate"
                                  : "stacked fusion needs one rate";
@@ -266,6 +271,16 @@ void check_orientations(Reader& reader, const Place& root) {
   if (beside && sample && sample->find("orientations"))
     reader.error_within(root, beside->mark, "orientations",
                         "are given inside 'sample' already; keep one");
+}
+
+/// Where no metric is given, the usual one must be one of the state.
+void check_usual_metric(Reader& reader, const Place& root, const SceneDraft& draft) {
+  if (root.node().find("metric") || !draft.known.motion || !draft.metrics_known) return;
+  const auto usual = parse_metric(draft.scene.metric, known_metrics(draft.scene));
+  if (const auto* problem = std::get_if<std::string>(&usual))
+    reader.error_within(
+        root, root.node().find("motion")->mark, "motion",
+        "has no pose for the usual metric; name another in 'metric': " + *problem);
 }
 
 /// The value that samples gather around is one of the metric, which is known only now.
@@ -302,6 +317,7 @@ Scene read_scene(Reader& reader, const Node& root) {
   }
   if (!read_map(reader, place, kSceneKeys, draft)) return {};
   check_orientations(reader, place);
+  check_usual_metric(reader, place, draft);
   read_near_metric(reader, place, draft);
   const bool rates_known =
       !draft.scene.devices.empty() &&

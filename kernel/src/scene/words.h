@@ -51,6 +51,9 @@ inline constexpr std::pair<const char*, PoseState> kPoseStateWords[] = {
     {"position", PoseState::position},
     {"orientation", PoseState::orientation},
     {"pose", PoseState::pose},
+    {"planar", PoseState::planar},
+    {"planar_pose", PoseState::planar_pose},
+    {"none", PoseState::none},
 };
 
 /// The word of an enumerator.

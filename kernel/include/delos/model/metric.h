@@ -14,7 +14,7 @@
 namespace delos {
 
 /// Kinds of metric. "Block" is the position block of P∞, or the orientation block of an
-/// orientation-only state.
+/// orientation-only state; a state without either has no metrics of them.
 enum class MetricKind {
   sigma,              ///< standard deviation of one state
   sigma_horizontal,   ///< √(σ_x² + σ_y²)

@@ -23,7 +23,7 @@ enum class MetricReads {
   others,       ///< what its formula reads
 };
 
-/// What a metric reads of P∞, b×b on the diagonal: 1×1, 3×3 or n×n.
+/// What a metric reads of P∞, b×b on the diagonal: 1×1 to 3×3, or n×n.
 using CovarianceBlock = Eigen::Ref<const Eigen::MatrixXd>;
 
 /// φ(P) = max_i φ_i(P), and what each part changes with P. All metrics but eigmax,
@@ -42,7 +42,9 @@ struct MetricRow {
   const char* name;  ///< as in scenes; of MetricKind::sigma, the part before the state
   MetricKind kind;
   MetricReads reads;
-  int power;  ///< the metric's unit is that of the block, to this power; 0: another one
+  /// The metric's unit is that of the block to this power, of det once a coordinate; 0:
+  /// another one.
+  int power;
   bool larger_is_better;
   bool root;    ///< whether the metric is √φ, a deviation
   bool convex;  ///< whether φ is known to be convex in P
@@ -50,9 +52,11 @@ struct MetricRow {
   double (*value)(const CovarianceBlock& P);
   /// φ_i, and on request their slopes. @pre P is positive definite
   void (*parts)(const CovarianceBlock& P, bool slopes, MetricParts& out);
-  /// φ of kLanes 3×3 blocks side by side, bit for bit as value(); null for other
-  /// blocks. @param P the rows of kLanes numbers of (0,0), (1,0), (1,1), (2,0), …
-  void (*lanes)(const double* const P[6], double* values);
+  /// φ of kLanes blocks side by side, bit for bit as value(); null where it is the
+  /// first entry, or of the whole state.
+  /// @param P the rows of kLanes numbers of (0,0), (1,0), (1,1), (2,0), …
+  /// @param size b, 1 to 3
+  void (*lanes)(const double* const P[6], int size, double* values);
 };
 
 /// All metrics, in the order in which they are listed.

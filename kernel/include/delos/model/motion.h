@@ -43,15 +43,28 @@ struct GaussMarkov {
   friend bool operator==(const GaussMarkov&, const GaussMarkov&) = default;
 };
 
+/// A given model in continuous time: dx/dt = A x + w, w white of spectral density Q.
+struct ContinuousMotion {
+  StateMatrix A;  ///< drift, n×n, state units over seconds
+  StateMatrix Q;  ///< n×n, symmetric ≥ 0, squared state units over seconds
+  friend bool operator==(const ContinuousMotion& a, const ContinuousMotion& b) {
+    return same_matrix(a.A, b.A) && same_matrix(a.Q, b.Q);
+  }
+};
+
 /// The motion model of a scene.
 struct MotionModel {
   StateLayout layout;
-  std::variant<ChainMotion, CustomMotion> dynamics;
+  std::variant<ChainMotion, CustomMotion, ContinuousMotion> dynamics;
   std::vector<GaussMarkov> own = {};  ///< of the last states of the layout
 
   /// True for P, PV and PVA, for which exact closed forms exist.
   [[nodiscard]] bool is_chain() const {
     return std::holds_alternative<ChainMotion>(dynamics);
+  }
+  /// Whether it is known over any time, and not over one update alone.
+  [[nodiscard]] bool in_continuous_time() const {
+    return !std::holds_alternative<CustomMotion>(dynamics);
   }
   friend bool operator==(const MotionModel&, const MotionModel&) = default;
 };
@@ -62,12 +75,13 @@ struct MotionModel {
 ///     Q_ij = q dt^(2k−1−i−j) / ((2k−1−i−j) (k−1−i)! (k−1−j)!)
 ///
 /// and for the devices' own states, exp(−dt/T) and (1 − exp(−2dt/T)) q T/2, or 1 and
-/// q dt where T is infinite. A custom model is one update whatever dt is.
+/// q dt where T is infinite. Of a ContinuousMotion as model/van_loan.h has it. A custom
+/// model is one update whatever dt is.
 /// @param dt seconds, > 0
 [[nodiscard]] DELOS_API MotionStep discretize(const MotionModel& motion, double dt);
 
-/// The continuous chain dx/dt = A x + w, with Q the noise's spectral density, n×n.
-/// @pre motion.is_chain()
+/// The model as dx/dt = A x + w, with Q the noise's spectral density, n×n.
+/// @pre motion.in_continuous_time()
 [[nodiscard]] DELOS_API MotionStep continuous_form(const MotionModel& motion);
 
 }  // namespace delos

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,34 @@ enum class PoseState {
   position,     ///< δp: x, y, z
   orientation,  ///< δθ: roll, pitch, yaw
   pose,         ///< [δp, δθ]
+  planar,       ///< x, y: nothing moves the target out of its level plane, or turns it
+  planar_pose,  ///< x, y, yaw: likewise, but it turns about the world's z
+  none,         ///< none of them: custom motion of something else
 };
+
+/// The coordinates of a pose by their numbers, x 0 to yaw 5.
+inline constexpr int kPoseCoordinates[] = {0, 1, 2, 3, 4, 5};
+inline constexpr int kPlanarCoordinates[] = {0, 1, 5};
+
+/// Which coordinates of a pose a state has, in its order.
+[[nodiscard]] constexpr std::span<const int> estimated(PoseState pose) {
+  const std::span<const int> all(kPoseCoordinates), planar(kPlanarCoordinates);
+  switch (pose) {
+    case PoseState::position:
+      return all.first(3);
+    case PoseState::orientation:
+      return all.last(3);
+    case PoseState::pose:
+      return all;
+    case PoseState::planar:
+      return planar.first(2);
+    case PoseState::planar_pose:
+      return planar;
+    case PoseState::none:
+      break;
+  }
+  return {};
+}
 
 /// How the state vector is laid out: order blocks of d pose coordinates (pose,
 /// velocity, acceleration), then the extra states (biases).
@@ -56,17 +84,27 @@ struct StateLayout {
   std::vector<std::string> extra;  ///< names of the states behind the blocks
   std::vector<std::string> extra_units = {};  ///< theirs, SI; where missing, "1"
 
-  /// d, the number of pose coordinates: 3 or 6.
-  [[nodiscard]] int coordinates() const { return pose == PoseState::pose ? 6 : 3; }
+  /// d, the number of pose coordinates: 3 or 6, in a plane 2 or 3, or 0.
+  [[nodiscard]] int coordinates() const {
+    return static_cast<int>(estimated(pose).size());
+  }
   /// n, the size of the state.
   [[nodiscard]] int size() const {
     return coordinates() * order + static_cast<int>(extra.size());
   }
-  /// Number of position coordinates: 3, or 0 for an orientation-only state.
-  [[nodiscard]] int positions() const { return pose == PoseState::orientation ? 0 : 3; }
+  /// Number of position coordinates, which come first: 3, 2 in a plane, or 0.
+  [[nodiscard]] int positions() const {
+    int count = 0;
+    for (const int coordinate : estimated(pose)) count += coordinate < 3;
+    return count;
+  }
+  /// Number of orientation coordinates: 3, 1 in a plane, or 0.
+  [[nodiscard]] int turns() const { return coordinates() - positions(); }
+  /// Size of the position block, or of the orientation block where that is all.
+  [[nodiscard]] int block() const { return positions() > 0 ? positions() : turns(); }
 
   /// Names in the order of the state vector: x, y, z, roll, pitch, yaw, vx, …, vyaw,
-  /// ax, …, ayaw, then the extra states.
+  /// ax, …, ayaw, those that are estimated, then the extra states.
   [[nodiscard]] DELOS_API std::vector<std::string> names() const;
   /// SI units in the same order: m, rad, m/s, rad/s, m/s^2, rad/s^2; then the extra
   /// ones'.

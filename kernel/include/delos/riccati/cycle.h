@@ -23,7 +23,8 @@ enum class AverageRule {
 ///
 ///     (1/T) Σ_j ∫₀^{dt_j} A(t) Π_{j−1} A(t)ᵀ + Q(t) dt,  T = Σ dt_j
 ///
-/// A custom model has no inside and is always averaged by the trapezoid.
+/// Models other than chains are always averaged by the trapezoid: a custom one has no
+/// inside, and that of a continuous one is no polynomial.
 /// @param durations dt_j, seconds: the time that leads to step j, > 0
 /// @param states of solve_cycle(): Π_{j−1} is the posterior of the step before, of the
 /// last

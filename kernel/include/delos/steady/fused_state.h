@@ -12,8 +12,8 @@ namespace delos {
 enum class CovarianceOf {
   every_update,  ///< stacked: before and after any update
   all_times,     ///< continuous: P(t), which stays; prior and posterior are the same
-  time_average,  ///< periodic: mean over time by the trapezoid rule, which errs
-                 ///< upwards; prior and posterior are the same
+  time_average,  ///< periodic: mean over time by the trapezoid rule, which of chains
+                 ///< errs upwards; prior and posterior are the same
   turn_average,  ///< sequential: means over the turns, before and after each
   summed_psi,    ///< artemis: what the sum of Ψ gives; of no Kalman filter
 };
