@@ -25,7 +25,7 @@ std::vector<Bad> bad_searches() {
        with("variables:\n  - {path: devices.s1, lower: 0, upper: 1}\n"),
        {e("19:12: error: variables.0.path: 'devices.s1': isn't a number by itself; go "
           "on "
-          "with at, rate, phase, params")}},
+          "with at, rate, phase, exposure, params")}},
       {"LowerAboveUpper",
        with("variables:\n  - {path: devices.s1.at.z, lower: 2, upper: 1}\n"),
        {e("19:36: error: variables.0.lower: 2 isn't below upper, 1; a variable needs "

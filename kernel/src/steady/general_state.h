@@ -7,8 +7,19 @@
 
 #include "delos/model/infinity.h"
 #include "delos/steady/fused_state.h"
+#include "riccati/linear.h"
 
 namespace delos {
+
+/// What a state of the motion's n states, and of means behind them, says of those n.
+/// A lost mean is one of a lost state.
+inline void restrict_to(Eigen::Index n, SteadyState& state) {
+  if (state.prior.rows() == n) return;
+  const StateMatrix lost = riccati::orthonormal(state.unobservable.topRows(n));
+  state.prior = riccati::projected_off(state.prior.topLeftCorner(n, n), lost);
+  state.posterior = riccati::projected_off(state.posterior.topLeftCorner(n, n), lost);
+  state.unobservable = lost;
+}
 
 /// One instant's state as that of the system.
 inline void set_state(const SteadyState& state, FusedState& out) {
