@@ -1,5 +1,5 @@
-// A filter whose readings take time, by brute force in long double: tick by tick, with
-// the integral of every reading under way as states of its own.
+// A filter whose readings take time, by brute force in long double: with the
+// integral of every reading under way as states of its own.
 #pragma once
 
 #include <Eigen/Dense>
@@ -23,6 +23,7 @@ struct ExposingDevice {
 struct ExposingFilter {
   std::vector<int> instants;                 ///< ticks after the cycle's begin, > 0
   std::vector<LongMatrix> prior, posterior;  ///< n×n, n = k d
+  int length = 1;                            ///< of the cycle, ticks
   long double radius = 0;                    ///< of the errors after a whole cycle
 
   ExposingFilter(int order, const LongMatrix& q, long double tick,
@@ -31,14 +32,17 @@ struct ExposingFilter {
     const Eigen::Index N = n_ + q.rows() * static_cast<Eigen::Index>(devices.size());
     P_ = LongMatrix::Zero(N, N);
     P_.diagonal().head(n_).setOnes();
-    int length = 1;
     for (const ExposingDevice& device : devices)
       length = std::lcm(length, device.period);
     for (int cycle = 0; cycle < cycles; ++cycle) {
       const LongMatrix before = P_;
       errors_ = LongMatrix::Identity(N, N);
       instants.clear(), prior.clear(), posterior.clear();
-      for (int t = 1; t <= length; ++t) advance(t);
+      for (int t = 0, next = 0; t < length; t = next) {
+        while (!is_event(++next) && next < length) {
+        }
+        advance(t, next);
+      }
       if (cycle > 2 && (P_ - before).norm() <= 1e-18L * P_.norm()) break;
     }
     radius =
@@ -50,13 +54,21 @@ struct ExposingFilter {
   static bool is_at(int t, int first, int period) {
     return ((t - first) % period + period) % period == 0;
   }
+  /// Whether a window begins or ends at tick t.
+  bool is_event(int t) const {
+    for (const ExposingDevice& d : devices_)
+      if (is_at(t, d.phase, d.period) || is_at(t + d.exposure, d.phase, d.period))
+        return true;
+    return false;
+  }
   Eigen::Index integral(std::size_t device) const {
     return n_ + q_.rows() * static_cast<Eigen::Index>(device);
   }
 
-  /// e^{Fδ} and ∫ e^{Fs} W e^{Fᵀs} ds over a tick: F is nilpotent, and the integrand a
-  /// polynomial that five nodes integrate exactly.
-  void make_step(const std::vector<bool>& open, LongMatrix& A, LongMatrix& Q) const {
+  /// e^{Fδ} and ∫ e^{Fs} W e^{Fᵀs} ds over δ seconds: F is nilpotent, and the integrand
+  /// a polynomial that five nodes integrate exactly.
+  void make_step(const std::vector<bool>& open, long double delta, LongMatrix& A,
+                 LongMatrix& Q) const {
     const Eigen::Index N = P_.rows(), d = q_.rows();
     LongMatrix F = LongMatrix::Zero(N, N), W = F;
     for (int i = 0; i + 1 < order_; ++i)
@@ -75,7 +87,7 @@ struct ExposingFilter {
       }
       return sum;
     };
-    A = exponential(tick_);
+    A = exponential(delta);
     Q = LongMatrix::Zero(N, N);
     const long double a = std::sqrt(5 - 2 * std::sqrt(10.0L / 7)) / 3,
                       b = std::sqrt(5 + 2 * std::sqrt(10.0L / 7)) / 3;
@@ -83,17 +95,18 @@ struct ExposingFilter {
                       wb = (322 - 13 * std::sqrt(70.0L)) / 900;
     for (const auto& [node, weight] :
          {std::pair{0.0L, 128.0L / 225}, {a, wa}, {-a, wa}, {b, wb}, {-b, wb}}) {
-      const LongMatrix E = exponential(tick_ * (1 + node) / 2);
-      Q += weight * tick_ / 2 * E * W * E.transpose();
+      const LongMatrix E = exponential(delta * (1 + node) / 2);
+      Q += weight * delta / 2 * E * W * E.transpose();
     }
   }
 
-  void advance(int t) {
+  /// From one event to the next.
+  void advance(int from, int t) {
     const Eigen::Index d = q_.rows();
-    // Windows that begin at the tick before.
+    // Windows that begin.
     for (std::size_t i = 0; i < devices_.size(); ++i) {
       const ExposingDevice& device = devices_[i];
-      if (!is_at(t - 1 + device.exposure, device.phase, device.period)) continue;
+      if (!is_at(from + device.exposure, device.phase, device.period)) continue;
       P_.middleRows(integral(i), d).setZero();
       P_.middleCols(integral(i), d).setZero();
       errors_.middleRows(integral(i), d).setZero();
@@ -105,8 +118,8 @@ struct ExposingFilter {
         is_open = is_open || is_at(t + ahead, device.phase, device.period);
       open.push_back(is_open);
     }
-    auto& [A, Q] = steps_[open];
-    if (A.size() == 0) make_step(open, A, Q);
+    auto& [A, Q] = steps_[{t - from, open}];
+    if (A.size() == 0) make_step(open, (t - from) * tick_, A, Q);
     P_ = (A * P_ * A.transpose() + Q).eval();
     errors_ = (A * errors_).eval();
 
@@ -136,7 +149,7 @@ struct ExposingFilter {
   std::vector<ExposingDevice> devices_;
   Eigen::Index n_;
   LongMatrix P_, errors_;
-  std::map<std::vector<bool>, std::pair<LongMatrix, LongMatrix>> steps_;
+  std::map<std::pair<int, std::vector<bool>>, std::pair<LongMatrix, LongMatrix>> steps_;
 };
 
 }  // namespace delos::testing

@@ -26,14 +26,14 @@ void CycleSolver::solve(SteadyEquation& at, const SteadyRequest& request,
   out.status = RiccatiStatus::converged;
   for (const SteadyState& state : at.states)
     if (state.status != RiccatiStatus::converged) out.status = state.status;
+  const Eigen::Index n = system_.motion.layout.size();
   if (request.time_constant) {
     const double length = std::accumulate(intervals_.begin(), intervals_.end(), 0.0);
-    out.time_constant =
-        out.status == RiccatiStatus::converged
-            ? time_constant_of_radius(closed_loop_radius(at.steps, at.states), length)
-            : kInfinity;
+    out.time_constant = out.status == RiccatiStatus::converged
+                            ? time_constant_of_radius(radius_of(at, n), length)
+                            : kInfinity;
   }
-  for (SteadyState& state : at.states) restrict_to(system_.motion.layout.size(), state);
+  for (SteadyState& state : at.states) restrict_to(n, state);
 
   const Eigen::Index d = system_.motion.layout.coordinates();
   const auto size = [d](const StateMatrix& P) { return P.topLeftCorner(d, d).trace(); };

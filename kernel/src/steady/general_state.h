@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "delos/model/infinity.h"
+#include "delos/steady/equation.h"
 #include "delos/steady/fused_state.h"
 #include "riccati/linear.h"
 
@@ -33,6 +34,13 @@ inline void set_state(const SteadyState& state, FusedState& out) {
 inline double time_constant_of_radius(double radius, double period) {
   if (radius >= 1) return kInfinity;
   return radius > 0 ? -period / std::log(radius) : 0;
+}
+
+/// The closed loop of an equation whose motion has n states, solved.
+inline double radius_of(const SteadyEquation& at, Eigen::Index n) {
+  const bool with_means = at.steps.front().motion.A.rows() > n;
+  return with_means ? closed_loop_radius_by_gain(at.steps, at.states)
+                    : closed_loop_radius(at.steps, at.states);
 }
 
 /// 0 … count − 1: devices that all report at once.

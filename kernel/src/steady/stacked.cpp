@@ -44,18 +44,20 @@ void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
     measurement.information.diagonal()
         .segment(at.block.first, system_.motion.layout.coordinates())
         .setConstant(at.besides);
-    const Eigen::Index n = motion.A.rows();
+    const Eigen::Index columns = motion.A.rows();
     measurement.rows = Eigen::Map<
         const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        at.readings.data(), static_cast<Eigen::Index>(at.readings.size()) / n, n);
+        at.readings.data(), static_cast<Eigen::Index>(at.readings.size()) / columns,
+        columns);
     at.states.front() = solve_doubling(motion, measurement);
   }
+  const Eigen::Index n = system_.motion.layout.size();
   SteadyState state = at.states.front();
-  restrict_to(system_.motion.layout.size(), state);
+  restrict_to(n, state);
   set_state(state, out);
   if (request.time_constant)
-    out.time_constant = time_constant_of_radius(closed_loop_radius(at.steps, at.states),
-                                                system_.devices.front().period);
+    out.time_constant =
+        time_constant_of_radius(radius_of(at, n), system_.devices.front().period);
 }
 
 StateMatrix StackedSolver::adjoint(const SteadyEquation& at,
