@@ -18,14 +18,16 @@ ExposureWindows::ExposureWindows(const System& system,
 /// The slots that a window covers, back from its update.
 std::vector<ExposureWindows::Part> ExposureWindows::parts_of(std::size_t slot,
                                                              double exposure) const {
+  const std::size_t count = intervals_.size();
   std::vector<Part> parts;
   double left = exposure;
-  for (std::size_t s = slot; left > 0; s = (s > 0 ? s : intervals_.size()) - 1) {
-    const double open = std::min(left, intervals_[s]);
+  for (std::size_t back = 0; back < count && left > 0; ++back) {
+    const double interval = intervals_[(slot + count - back) % count];
+    const double open = std::min(left, interval);
     left -= open;
-    if (left <= 1e-9 * exposure) left = 0;  // intervals are rounded
+    // Intervals are rounded, and no window is longer than the cycle.
+    if (left <= 1e-9 * exposure || back + 1 == count) left = 0;
     parts.push_back({slot, 0, exposure, open, left > 0});
-    if (parts.size() == intervals_.size()) parts.back().begun = false, left = 0;
   }
   return parts;
 }
