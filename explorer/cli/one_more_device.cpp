@@ -21,7 +21,8 @@ std::vector<PlacedDevice> kinds_of(const System& system) {
     if (device.carried() || (span != Span::point && span != Span::pose)) continue;
     const auto alike = [&](const PlacedDevice& other) {
       return other.type == device.type && other.params == device.params &&
-             other.noise == device.noise && other.period == device.period;
+             other.noise == device.noise && other.period == device.period &&
+             other.exposure == device.exposure;
     };
     if (std::none_of(kinds.begin(), kinds.end(), alike)) kinds.push_back(device);
   }

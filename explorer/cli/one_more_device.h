@@ -11,7 +11,7 @@ namespace delos::cli {
 
 /// A copy of a device that is there, in another place.
 struct OneMoreDevice {
-  std::string like;    ///< what it is a copy of: type, parameters, rate and noise
+  std::string like;    ///< what it is a copy of: type, parameters, rate, noise …
   std::string type;    ///< of that device
   Eigen::Vector3d at;  ///< metres; its z axis looks at the point
   double value = 0;    ///< the metric with it, finite: every direction is observed

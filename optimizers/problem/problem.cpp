@@ -9,6 +9,7 @@
 #include "delos/model/infinity.h"
 #include "delos/model/metric_expression.h"
 #include "delos/scene/definition.h"
+#include "delos/steady/steady_solver.h"
 #include "problem/guess.h"
 #include "problem/problem_state.h"
 #include "problem/reduce.h"
@@ -153,12 +154,14 @@ void Problem::State::find_touched() {
                moved.occluders != system.occluders;
     for (std::size_t i = 0; i < system.devices.size(); ++i) {
       const PlacedDevice &a = system.devices[i], &b = moved.devices[i];
-      if (a.period != b.period || a.phase != b.phase) what.all = true;
+      if (a.period != b.period || a.phase != b.phase || a.exposure != b.exposure)
+        what.all = true;
       const bool elsewhere = !(a.mount == b.mount);
       if (elsewhere && !a.carried()) what.poses.push_back(i);
       if (!(a.params == b.params) || (elsewhere && a.carried()))
         what.layers.push_back(i);
     }
+    if (slope_problem.empty()) slope_problem = adjoint_problem(moved);
     touched.push_back(std::move(what));
   }
   design.set(x);

@@ -191,7 +191,7 @@ void FieldCost::solve(std::span<const double> w, bool fractions, double guess,
     add_information(w, pose + t, 1 / static_cast<double>(merged), out.at);
   out.at.steps.front()
       .measurement.information.diagonal()
-      .head(layout_.coordinates())
+      .segment(out.at.block.first, layout_.coordinates())
       .array() += guess;
   out.at.besides = prior_ + guess;
   add_perfect_rows(w, fractions, pose, out.at);

@@ -202,8 +202,9 @@ TEST(CommandLine, IsRefusedWithTheReason) {
       {{"field", first, "--solver", "spectral", "--fusion", "periodic"},
        2,
        "delos: the spectral solver needs a position, position_velocity or "
-       "position_velocity_acceleration motion, devices that measure the pose alone, "
-       "and stacked or continuous fusion; use --solver doubling\n"},
+       "position_velocity_acceleration motion, devices that measure the pose alone "
+       "and expose equally long, and stacked or continuous fusion; use --solver "
+       "doubling\n"},
       {{"field", first, "--solver", "doubling", "--fusion", "artemis"},
        2,
        "whose sum of Ψ matrices is no Riccati equation; use --solver eigenvector\n"},

@@ -80,6 +80,28 @@ constexpr const char* kSpeakers =
     "[{path: devices.s1.at.x, lower: -0.4, upper: 0.8, mirror: {path: devices.s4.at.x, "
     "about: 0.2}}, {path: devices.s2.at, lower: -1, upper: 2}]";
 
+const std::vector<Override> kExposures = {{"devices.s1.exposure", "13 ms"},
+                                          {"devices.s2.exposure", "13 ms"},
+                                          {"devices.s3.exposure", "13 ms"},
+                                          {"devices.s4.exposure", "13 ms"}};
+
+/// Only what all expose equally long has slopes, also at the designs that a search
+/// would come to.
+TEST(SlopesOfExposures, AreNoneOfDifferentOnes) {
+  const auto problem_of = [](std::vector<Override> changes, const char* variables) {
+    changes.push_back({"variables", variables});
+    return Problem(load("01-acoustic", changes), plugins(), {20, 1}).slope_problem();
+  };
+  constexpr const char* kNone =
+      "fusion of devices that don't expose equally long has no derivative here";
+  constexpr const char* kAt = "[{path: devices.s1.at.z, lower: 0, upper: 2}]";
+  EXPECT_EQ(problem_of(kExposures, kAt), "");
+  EXPECT_EQ(problem_of({kExposures.front()}, kAt), kNone);
+  EXPECT_EQ(
+      problem_of(kExposures, "[{path: devices.s1.exposure, lower: 0, upper: 20 ms}]"),
+      kNone);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Slopes,
     testing::Values(
@@ -112,6 +134,12 @@ INSTANTIATE_TEST_SUITE_P(
              40},
         // Rates change more than a device: differences of fields.
         Case{"03-hybrid", "[{path: devices.s*.rate, lower: 10, upper: 100}]"},
+        // So do exposures, which places know of too.
+        Case{"01-acoustic",
+             "[{path: devices.s1.exposure, lower: 0, upper: 20 ms, tie: "
+             "[devices.s2.exposure, devices.s3.exposure, devices.s4.exposure]}, "
+             "{path: devices.*.at, lower: -1, upper: 2}]",
+             "{minimize: mean}", kExposures},
         // Anchors on walls, in sight of both wings or not.
         Case{"15-uwb-anchors",
              "[{path: devices.*.coordinates}, {path: devices.east.params.sigma}]",

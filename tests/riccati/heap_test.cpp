@@ -37,6 +37,9 @@ TEST_F(Heap, IsNotTouchedByTheSpectralPath) {
                 (void)spectral_pose_covariance(f, 3, {false, 0.1}, kind);
                 (void)spectral_gradient(f, 3, {false, 0.1}, kind, Y);
                 (void)discrete_chain_time_constant(3, 0.1, 2);
+                (void)spectral_covariance(f, 3, {false, 0.1, 0.05}, kind);
+                (void)spectral_gradient(f, 3, {false, 0.1, 0.05}, kind, Y);
+                (void)exposed_chain_time_constant(3, 0.1, 0.05, 2);
               }),
               0u);
   }

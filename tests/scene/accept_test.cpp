@@ -33,6 +33,7 @@ TEST(Accept, ReadsEveryPartInSi) {
   EXPECT_EQ(s.devices[0].type, "probe");
   EXPECT_EQ(s.devices[0].rate, 50);
   EXPECT_EQ(s.devices[0].phase, 0);
+  EXPECT_EQ(s.devices[0].exposure, 0);
   EXPECT_EQ(s.devices[0].placement.at, Eigen::Vector3d(0, 0, 1));
   EXPECT_TRUE(std::holds_alternative<std::monostate>(s.devices[0].placement.facing));
   EXPECT_EQ(s.devices[0].params["r"], 0.005);
@@ -63,7 +64,8 @@ TEST(Accept, ReadsWhatIsSaid) {
                 "fusion: periodic\ncovariance: posterior\nmetric: trace\n"
                 "target: {markers: [[1 mm, 0, 0], [0, 2 in, 0]]}\nsample:");
   text.replace(text.find("    rate: 50 Hz"), 15,
-               "    rate: 1.5 kHz\n    phase: 5 ms\n    mount: world\n    group: rig1\n"
+               "    rate: 1.5 kHz\n    phase: 5 ms\n    exposure: 500 us\n    mount: "
+               "world\n    group: rig1\n"
                "    rpy: [90 deg, 0, -0.5]");
   text.replace(
       text.find("{r: 5 mm}"), 9,
@@ -78,6 +80,7 @@ TEST(Accept, ReadsWhatIsSaid) {
   const DeviceEntry& d = s.devices[0];
   EXPECT_EQ(d.rate, 1500);
   EXPECT_EQ(d.phase, 0.005);
+  EXPECT_EQ(d.exposure, 0.0005);
   EXPECT_EQ(d.group, "rig1");
   EXPECT_EQ(std::get<Rpy>(d.placement.facing).angles, Eigen::Vector3d(pi / 2, 0, -0.5));
   EXPECT_EQ(d.params.choice("shape"), "square");

@@ -138,6 +138,46 @@ std::vector<Bad> bad_parts() {
       {"PhaseNegative",
        good_with("rate: 50 Hz", "rate: 50 Hz\n    phase: -5 ms"),
        {e("15:12: error: devices.s1.phase: must not be below 0")}},
+      {"ExposureNegative",
+       good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: -5 ms"),
+       {e("15:15: error: devices.s1.exposure: must not be below 0")}},
+      {"ExposureLongerThanThePeriod",
+       good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: 21 ms"),
+       {e("15:15: error: devices.s1.exposure: must not be longer than the time between "
+          "updates, 20 ms at 50 Hz")}},
+      {"ExposureIsATime",
+       good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: 5 m"),
+       {e("15:15: error: devices.s1.exposure: '5 m' is a length; expected a time such "
+          "as "
+          "'5 ms'")}},
+      {"ExposureOfASingleReading",
+       "covariance: single\n" +
+           good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: 5 ms"),
+       {e("16:15: error: devices.s1.exposure: isn't known to single readings, which "
+          "are "
+          "of one instant; leave it out, or use covariance: prior or posterior")}},
+      {"ExposureUnderContinuousFusion",
+       good_with("rate: 50 Hz", "rate: 60 Hz\n    exposure: 5 ms"),
+       {e("15:15: error: devices.s1.exposure: isn't known to continuous fusion, the "
+          "limit of frequent updates, in which no reading takes time; use fusion: "
+          "periodic, or sequential")}},
+      {"ExposureUnderArtemisFusion",
+       "fusion: artemis\n" +
+           good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: 5 ms"),
+       {e("16:15: error: devices.s1.exposure: isn't known to artemis fusion; use "
+          "fusion: "
+          "stacked, periodic or sequential")}},
+      {"ExposureOfCustomMotion",
+       [] {
+         std::string text = good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: 5 ms");
+         const std::string chain =
+             "  type: position_velocity\n  state: position\n  q: [0.4, 0.4, 0.1]\n";
+         return text.replace(text.find(chain), chain.size(),
+                             "  type: custom\n  A: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                             "  Q: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
+       }(),
+       {e("15:15: error: devices.s1.exposure: needs a motion in continuous time, but "
+          "custom motion says nothing of what happens between updates")}},
       {"UnknownGroup",
        good_with("rate: 50 Hz", "rate: 50 Hz\n    group: rig2"),
        {e("15:12: error: devices.s1.group: there is no group 'rig2'; did you mean "

@@ -118,6 +118,8 @@ class Draw {
     d.type = "probe";
     d.rate = scene.motion.in_continuous_time() ? positive() : 50;
     if (coin()) d.phase = positive();
+    if (scene.fusion == Fusion::periodic || scene.fusion == Fusion::sequential)
+      if (coin()) d.exposure = 0.7 / d.rate;
     if (!scene.groups.empty() && coin()) d.group = scene.groups.front().name;
     d.placement = placement();
     d.params.set("r", std::uniform_real_distribution<double>(0, 2)(random_));
@@ -192,6 +194,7 @@ TEST(RoundTrip, TellsScenesApart) {
   differs([](Scene& s) { s.markers.push_back({0, 0, 0}); });
   differs([](Scene& s) { s.groups[0].placement.facing = Rpy{{0, 0, 0}}; });
   differs([](Scene& s) { s.devices[0].phase = 1; });
+  differs([](Scene& s) { s.devices[0].exposure = 0.01; });
   differs([](Scene& s) { s.devices[0].group = "rig1"; });
   differs([](Scene& s) { s.devices[0].params.set("gain", 0.25); });
   differs([](Scene& s) { s.devices.pop_back(); });

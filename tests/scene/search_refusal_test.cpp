@@ -25,7 +25,7 @@ std::vector<Bad> bad_searches() {
        with("variables:\n  - {path: devices.s1, lower: 0, upper: 1}\n"),
        {e("19:12: error: variables.0.path: 'devices.s1': isn't a number by itself; go "
           "on "
-          "with at, rate, phase, params")}},
+          "with at, rate, phase, exposure, params")}},
       {"LowerAboveUpper",
        with("variables:\n  - {path: devices.s1.at.z, lower: 2, upper: 1}\n"),
        {e("19:36: error: variables.0.lower: 2 isn't below upper, 1; a variable needs "
@@ -38,6 +38,16 @@ std::vector<Bad> bad_searches() {
        with("variables:\n  - {path: devices.s1.params.r, lower: -1, upper: 1}\n"),
        {e("19:40: error: variables.0.lower: -1 is below the least value of "
           "'devices.s1.params.r', 0")}},
+      {"AnExposureLongerThanThePeriod",
+       with("variables:\n  - {path: devices.s1.exposure, lower: 0, upper: 30 ms}\n"),
+       {e("19:50: error: variables.0.upper: 0.03 is above the greatest value of "
+          "'devices.s1.exposure', 0.02")}},
+      {"AnExposureUnderContinuousFusion",
+       with("fusion: continuous\nvariables:\n  - {path: devices.s1.exposure, lower: 0, "
+            "upper: 10 ms}\n"),
+       {e("20:3: error: variables: change an exposure, which isn't known to continuous "
+          "fusion, the limit of frequent updates, in which no reading takes time; use "
+          "fusion: periodic, or sequential")}},
       {"ChangedTwice",
        with("variables:\n  - {path: devices.s1.at.z, lower: 0, upper: 1}\n"
             "  - {path: devices.s2.at.z, lower: 0, upper: 1, tie: devices.s1.at.z}\n"),

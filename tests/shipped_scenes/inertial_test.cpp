@@ -228,6 +228,12 @@ TEST(InertialSensors, AreRefusedWhereTheyMeasureNothing) {
                     "50, params: {sigma: 1}}"),
             "s.yaml:5:60: error: devices.a.beacons: is for a device that looks at "
             "beacons; accelerometer measures how the target moves\n");
+  EXPECT_EQ(refusal("{type: position_velocity_acceleration, q: [1, 1, 1]}",
+                    "{name: a, type: accelerometer, mount: target, rate: 50, params: "
+                    "{sigma: 1, bias: 1}}\n  - {name: u, type: uwb_range, rate: 50, "
+                    "exposure: 1 ms}"),
+            "s.yaml:5:3: error: devices: have states of their own, such as biases, and "
+            "an exposure, which aren't solved for together; leave one of them out\n");
   std::string many;
   for (int i = 0; i < 8; ++i)
     many += (i ? "\n  - " : "") + std::string("{name: a") + std::to_string(i) +

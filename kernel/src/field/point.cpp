@@ -40,6 +40,15 @@ double value_of(const Metric& metric, const System& system, const FusedState& st
   return std::isfinite(value) ? value : kInfinity;
 }
 
+/// The prior of what a step's equation is of: the motion's states, and the means that
+/// exposing devices read, which begin anew at an update.
+StateMatrix whole_prior(const MotionStep& motion, const FusedState& state) {
+  const Eigen::Index n = state.prior.rows();
+  if (motion.A.rows() == n) return state.prior;
+  const StateMatrix A = motion.A.leftCols(n);
+  return A * state.posterior * A.transpose() + motion.Q;
+}
+
 /// The headline metric without the device; +∞ where nothing is left.
 double value_without(System system, std::size_t device, const TargetPose& pose,
                      const Metric& metric, Solver solver) {
@@ -105,7 +114,8 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
       system.covariance != CovarianceKind::single &&
       report.state.status == RiccatiStatus::converged) {
     const auto& [motion, measurement] = equation.steps.front();
-    report.residual = riccati_residual(motion, measurement, report.state.prior);
+    report.residual =
+        riccati_residual(motion, measurement, whole_prior(motion, report.state));
   }
 
   const double with = value_of(metric, system, report.state, block, pose);

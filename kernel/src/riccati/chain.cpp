@@ -6,11 +6,13 @@
 #include <cstdlib>
 
 #include "riccati/chain_terms.h"
+#include "riccati/exposed_chain.h"
 #include "riccati/linear.h"
 
 namespace delos {
 namespace {
 
+using riccati::any_chain_values;
 using riccati::butterworth_radius;
 using riccati::chain_values;
 
@@ -24,7 +26,7 @@ ChainMatrix unpack(const double* upper) {
 
 template <int kOrder, bool kSlopes>
 ChainSolution solve(const Sampling& sampling, double lambda, CovarianceKind kind) {
-  const auto f = chain_values<kOrder, kSlopes>(sampling, lambda, kind);
+  const auto f = any_chain_values<kOrder, kSlopes>(sampling, lambda, kind);
   ChainSolution solution;
   solution.covariance = unpack<kOrder>(f.value);
   if constexpr (kSlopes) solution.derivative = unpack<kOrder>(f.slope);
@@ -87,6 +89,16 @@ double discrete_chain_variance(int order, double dt, double lambda,
   if (order == 2) return chain_values<2, false>(sampling, lambda, kind).value[0];
   if (order == 3) return chain_values<3, false>(sampling, lambda, kind).value[0];
   std::abort();
+}
+
+ChainSolution exposed_chain(int order, double dt, double exposure, double lambda,
+                            CovarianceKind kind) {
+  return solve<false>(order, {false, dt, exposure}, lambda, kind);
+}
+
+ChainSolution exposed_chain_with_derivative(int order, double dt, double exposure,
+                                            double lambda, CovarianceKind kind) {
+  return solve<true>(order, {false, dt, exposure}, lambda, kind);
 }
 
 ChainSolution continuous_chain(int order, double rate) {

@@ -1,6 +1,7 @@
 // How fast the steady filter forgets: eigenvalues of its closed loop.
 #include "delos/riccati/riccati.h"
 #include "riccati/linear.h"
+#include "riccati/update_map.h"
 
 namespace delos {
 namespace {
@@ -37,6 +38,19 @@ double closed_loop_radius(std::span<const CycleStep> cycle,
   for (std::size_t i = 0; i < cycle.size(); ++i) {
     loop = cycle[i].motion.A * loop;
     loop = correction(states[i]) * loop;
+  }
+  return eigenvalues(loop).cwiseAbs().maxCoeff();
+}
+
+double closed_loop_radius_by_gain(std::span<const CycleStep> cycle,
+                                  std::span<const SteadyState> states) {
+  const Eigen::Index n = cycle.front().motion.A.rows();
+  StateMatrix loop = StateMatrix::Identity(n, n);
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    loop = cycle[i].motion.A * loop;
+    loop = riccati::kept(states[i].prior, cycle[i].measurement) * loop;
+    const StateMatrix& lost = states[i].unobservable;
+    loop -= lost * (lost.transpose() * loop).eval();
   }
   return eigenvalues(loop).cwiseAbs().maxCoeff();
 }

@@ -34,20 +34,10 @@ StateMatrix riccati_gradient(const MotionStep& motion, const Measurement& measur
                              const SteadyState& state, const StateMatrix& Y,
                              bool posterior) {
   if (state.status != RiccatiStatus::converged) std::abort();
-  // With M = C (I + PS)⁻¹: dΠ = M dP Mᵀ − Π dS Π and dP = A dΠ Aᵀ, where C = I − L E
-  // conditions on the exact rows. Backwards,
+  // With M of kept(): dΠ = M dP Mᵀ − Π dS Π and dP = A dΠ Aᵀ. Backwards,
   //     X = Fᵀ X F + Y_P,  F = A M,   ∂J/∂S = −Π (Aᵀ X A [+ Y]) Π,
   // where Y_P = Y for an objective of P, and Mᵀ Y M with the + Y for one of Π.
-  const Eigen::Index n = Y.rows();
-  const StateMatrix I = StateMatrix::Identity(n, n);
-  StateMatrix M = solved(I + state.prior * measurement.information, I);
-  if (measurement.rows.rows() > 0)
-    M = kept_by_rows(symmetric(M * state.prior), measurement.rows) * M;
-  if (measurement.exact.rows() > 0) {
-    const StateMatrix& E = measurement.exact;
-    const StateMatrix seen = E * M;
-    M -= exact_gain(M * state.prior, E).L * seen;
-  }
+  const StateMatrix M = kept(state.prior, measurement);
   const StateMatrix F = motion.A * M;
   const StateMatrix X = stein(F, posterior ? congruence(M.transpose(), Y) : Y);
   StateMatrix inner = congruence(motion.A.transpose(), X);

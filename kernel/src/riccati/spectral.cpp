@@ -2,14 +2,14 @@
 #include "delos/riccati/spectral.h"
 
 #include "model/jacobi.h"
-#include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
+#include "riccati/exposed_chain.h"
 
 namespace delos {
 namespace {
 
-using riccati::chain_values;
+using riccati::any_chain_values;
 using riccati::fixed;
 using riccati::Square;
 
@@ -40,7 +40,7 @@ StateMatrix covariance(const SpectralForm& form, const Sampling& sampling,
   double outer[kSize][kEntries];
   for (int a = 0; a < kSize; ++a) {
     if (a >= form.unobservable)
-      f[a] = chain_values<kOrder, false>(sampling, form.lambda[a], kind);
+      f[a] = any_chain_values<kOrder, false>(sampling, form.lambda[a], kind);
     for (int c = 0, entry = 0; c < kSize; ++c)
       for (int r = 0; r <= c; ++r) outer[a][entry++] = V(r, a) * V(c, a);
   }
@@ -72,7 +72,7 @@ CoordinateMatrix pose_covariance(const SpectralForm& form, const Sampling& sampl
   Square<kSize> P = Square<kSize>::Zero();
   for (int a = form.unobservable; a < kSize; ++a) {
     const double f =
-        chain_values<kOrder, false>(sampling, form.lambda[a], kind).value[0];
+        any_chain_values<kOrder, false>(sampling, form.lambda[a], kind).value[0];
     P += f * V.col(a) * V.col(a).transpose();
   }
   return P;

@@ -9,9 +9,9 @@
 #include "delos/riccati/spectral.h"
 #include "model/epsilon.h"
 #include "model/jacobi.h"
-#include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
+#include "riccati/exposed_chain.h"
 
 namespace delos {
 namespace {
@@ -144,8 +144,15 @@ void covariances(const CoordinateMatrix& L, const Sampling& sampling,
   for (int a = 0; a < kSize; ++a) {
     const double* lambda = at.m(a, a);
     double f[kLanes];
-    for (int l = 0; l < kLanes; ++l) {
-      f[l] = riccati::chain_values<kOrder, false>(sampling, lambda[l], kind).value[0];
+    if (sampling.exposure > 0) {
+      for (int l = 0; l < kLanes; ++l) {
+        f[l] =
+            riccati::exposed_values<kOrder, false>(sampling, lambda[l], kind).value[0];
+      }
+    } else {
+      for (int l = 0; l < kLanes; ++l) {
+        f[l] = riccati::chain_values<kOrder, false>(sampling, lambda[l], kind).value[0];
+      }
     }
     for (int l = 0; l < kLanes; ++l) {
       // "not above" also takes S = 0, and a matrix of NaNs.

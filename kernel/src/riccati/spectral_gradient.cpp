@@ -2,14 +2,14 @@
 #include <cmath>
 
 #include "delos/riccati/spectral.h"
-#include "riccati/chain_terms.h"
 #include "riccati/directions.h"
 #include "riccati/dispatch.h"
+#include "riccati/exposed_chain.h"
 
 namespace delos {
 namespace {
 
-using riccati::chain_values;
+using riccati::any_chain_values;
 using riccati::Square;
 
 /// Below this relative distance of two eigenvalues the divided difference is f′ at
@@ -25,7 +25,7 @@ CoordinateMatrix gradient(const SpectralForm& form, const Sampling& sampling,
   const auto& lambda = form.lambda;
   riccati::ChainTerms<kOrder> f[kSize];
   for (int a = 0; a < kSize; ++a)
-    f[a] = chain_values<kOrder, true>(sampling, lambda[a], kind);
+    f[a] = any_chain_values<kOrder, true>(sampling, lambda[a], kind);
 
   // G = Σ_ij Γ^ij ∘ Z_ij with Z_ij = (LU)ᵀ Y_ij (LU). Γ^ij = Γ^ji, so pairs are taken
   // once.
@@ -44,7 +44,7 @@ CoordinateMatrix gradient(const SpectralForm& form, const Sampling& sampling,
       const double gap = lambda[a] - lambda[b], middle = lambda[b] + gap / 2;
       const bool near = std::abs(gap) <= kNearlyEqual * middle;
       riccati::ChainTerms<kOrder> mid = f[a];
-      if (near && a != b) mid = chain_values<kOrder, true>(sampling, middle, kind);
+      if (near && a != b) mid = any_chain_values<kOrder, true>(sampling, middle, kind);
       for (int entry = 0; entry < kOrder * (kOrder + 1) / 2; ++entry) {
         const double quotient =
             near ? mid.slope[entry] : (f[a].value[entry] - f[b].value[entry]) / gap;

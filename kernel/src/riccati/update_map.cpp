@@ -97,6 +97,20 @@ StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior) {
   return congruence(motion.A, posterior) + motion.Q;
 }
 
+StateMatrix kept(const StateMatrix& prior, const Measurement& measurement) {
+  const Eigen::Index n = prior.rows();
+  const StateMatrix I = StateMatrix::Identity(n, n);
+  StateMatrix M = solved(I + prior * measurement.information, I);
+  if (measurement.rows.rows() > 0)
+    M = kept_by_rows(symmetric(M * prior), measurement.rows) * M;
+  if (measurement.exact.rows() > 0) {
+    const StateMatrix& E = measurement.exact;
+    const StateMatrix seen = E * M;
+    M -= exact_gain(M * prior, E).L * seen;
+  }
+  return M;
+}
+
 StateMatrix update(const StateMatrix& prior, const Measurement& measurement) {
   // P = F Fᵀ: Π = F (I + Fᵀ S F)⁻¹ Fᵀ, symmetric and ≥ 0 by construction.
   const Eigen::Index n = prior.rows();

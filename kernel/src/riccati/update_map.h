@@ -62,6 +62,10 @@ StateMatrix predict(const MotionStep& motion, const StateMatrix& posterior);
 /// that they leave. @param before the covariance before the first
 StateMatrix kept_by_rows(const StateMatrix& before, const Eigen::MatrixXd& rows);
 
+/// I − K H, the share of an error before an update that it leaves: (I + P S)⁻¹, then
+/// ∏ (I − k h) and I − L E for the other rows.
+StateMatrix kept(const StateMatrix& prior, const Measurement& measurement);
+
 /// Π = (P⁻¹ + S)⁻¹, then conditioned on the other rows. P may be singular.
 StateMatrix update(const StateMatrix& prior, const Measurement& measurement);
 

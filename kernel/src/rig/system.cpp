@@ -80,6 +80,13 @@ MotionModel no_motion(const StateLayout& layout) {
                                kUnknown * StateMatrix::Identity(n, n)}};
 }
 
+/// @throws Unbuildable it isn't over by the next update
+double exposure_of(const DeviceEntry& entry) {
+  if (const std::string problem = exposure_problem(entry); !problem.empty())
+    throw Unbuildable(entry.name + ": exposure " + problem);
+  return std::min(entry.exposure, 1 / entry.rate);
+}
+
 /// Which state of a layout has this name.
 std::optional<int> state_named(const StateLayout& layout, const std::string& name) {
   const std::vector<std::string> names = layout.names();
@@ -163,6 +170,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     }
     placed.period = single ? 1 : 1 / entry.rate;
     placed.phase = single ? 0 : entry.phase;
+    placed.exposure = exposure_of(entry);
     if (single) placed.clock = state_named(system.motion.layout, clock_state(entry));
     placed.own = add_states(placed.name, placed.device->states(), system.motion);
     system.devices.push_back(std::move(placed));
@@ -179,6 +187,13 @@ int information_size(const System& system) {
                (span == Span::point || span == Span::pose);
       });
   return pose_alone ? layout.coordinates() : layout.size();
+}
+
+bool has_one_exposure(const System& system) {
+  return std::all_of(system.devices.begin(), system.devices.end(),
+                     [&](const PlacedDevice& d) {
+                       return d.exposure == system.devices.front().exposure;
+                     });
 }
 
 double information_weight(const System& system, const PlacedDevice& device) {

@@ -187,7 +187,7 @@ class Writer {
       for (const std::size_t other : at[{device.type, numbers}]) {
         const DeviceEntry& twin = out_.scene.devices[other];
         if (twin.params == device.params && twin.rate == device.rate &&
-            twin.beacons == device.beacons)
+            twin.exposure == device.exposure && twin.beacons == device.beacons)
           throw Refused{"the candidates " + twin.name + " and " + device.name +
                         " are the same device in the same place"};
       }

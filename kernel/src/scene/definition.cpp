@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "delos/model/metric_expression.h"
+#include "delos/text/units.h"
 
 namespace delos {
 namespace {
@@ -46,6 +47,10 @@ Fusion default_fusion(const Scene& scene) {
 
 /// Whether a scene can have this fusion.
 bool takes(const Scene& scene, Fusion fusion) {
+  const bool exposes = std::any_of(scene.devices.begin(), scene.devices.end(),
+                                   [](const DeviceEntry& d) { return d.exposure > 0; });
+  if (exposes && !exposure_problem(scene.motion, {fusion, scene.covariance}).empty())
+    return false;
   if (fusion == Fusion::stacked) return has_one_rate(scene);
   return scene.motion.in_continuous_time() ||
          (fusion != Fusion::continuous && fusion != Fusion::periodic);
@@ -102,6 +107,21 @@ bool alike(const Definition& a, const Definition& b) {
   return a.fusion == b.fusion && (one_covariance || a.covariance == b.covariance);
 }
 
+bool varies_exposures(const Scene& scene) {
+  const auto is_one = [&](const std::string& path) {
+    return std::any_of(scene.devices.begin(), scene.devices.end(),
+                       [&](const DeviceEntry& device) {
+                         return path == "devices." + device.name + ".exposure";
+                       });
+  };
+  return std::any_of(
+      scene.variables.begin(), scene.variables.end(), [&](const VariableEntry& v) {
+        return is_one(v.path) ||
+               std::any_of(v.followers.begin(), v.followers.end(),
+                           [&](const Follower& f) { return is_one(f.path); });
+      });
+}
+
 bool varies_rates(const Scene& scene) { return !varied_rates(scene).empty(); }
 
 bool has_one_rate(const Scene& scene) {
@@ -114,6 +134,29 @@ bool has_one_rate(const Scene& scene) {
                      [&](const DeviceEntry& device) {
                        return source(device) == source(scene.devices.front());
                      });
+}
+
+std::string exposure_problem(const DeviceEntry& device) {
+  const double period = 1 / device.rate;
+  // 16.6667 ms are as long as 1/60 s to whoever writes them so.
+  if (device.exposure <= period * (1 + 1e-5)) return "";
+  return "must not be longer than the time between updates, " +
+         shortest(1000 * period) + " ms at " + shortest(device.rate) + " Hz";
+}
+
+std::string exposure_problem(const MotionModel& motion, const Definition& definition) {
+  if (definition.covariance == CovarianceKind::single)
+    return "isn't known to single readings, which are of one instant; leave it out, or "
+           "use covariance: prior or posterior";
+  if (!motion.is_chain())
+    return "needs a motion in continuous time, but custom motion says nothing of what "
+           "happens between updates";
+  if (definition.fusion == Fusion::continuous)
+    return "isn't known to continuous fusion, the limit of frequent updates, in which "
+           "no reading takes time; use fusion: periodic, or sequential";
+  if (definition.fusion == Fusion::artemis)
+    return "isn't known to artemis fusion; use fusion: stacked, periodic or sequential";
+  return "";
 }
 
 Definition definition_of(const Scene& scene) {

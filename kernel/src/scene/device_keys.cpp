@@ -39,6 +39,13 @@ void read_phase(Reader& reader, const Place& at, DeviceEntry& out) {
   out.phase = *phase;
 }
 
+void read_exposure(Reader& reader, const Place& at, DeviceEntry& out) {
+  const auto exposure = reader.number(at, "s");
+  if (!exposure) return;
+  if (*exposure < 0) reader.error(at, "must not be below 0");
+  out.exposure = *exposure;
+}
+
 /// One name, or a list of them.
 void read_seen_beacons(Reader& reader, const Place& at, DeviceEntry& out) {
   if (at.node().kind == Node::Kind::scalar) {
@@ -62,7 +69,7 @@ Written write_seen_beacons(const DeviceEntry& d) {
   return to_node(std::move(names));
 }
 
-constexpr std::array<Key<DeviceEntry>, 17> kDeviceKeys = {{
+constexpr std::array<Key<DeviceEntry>, 18> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -82,6 +89,13 @@ constexpr std::array<Key<DeviceEntry>, 17> kDeviceKeys = {{
      [](const DeviceEntry& d) -> Written {
        if (d.phase == 0) return std::nullopt;
        return to_node(d.phase);
+     }},
+    {"exposure", Need::optional,
+     "how long a reading takes, up to its update: it's the mean over that time",
+     read_exposure,
+     [](const DeviceEntry& d) -> Written {
+       if (d.exposure == 0) return std::nullopt;
+       return to_node(d.exposure);
      }},
     {"mount", Need::optional,
      "world: it stands in the room and sees the target; target: it is carried and sees "
@@ -190,6 +204,13 @@ void check_clock(Reader& reader, const Place& at, const DeviceEntry& device,
                         "stays");
 }
 
+/// A reading is over by the next one's begin.
+void check_exposure(Reader& reader, const Place& at, const DeviceEntry& device) {
+  const std::string problem = device.rate > 0 ? exposure_problem(device) : "";
+  if (!problem.empty())
+    reader.error_within(at, at.node().find("exposure")->mark, "exposure", problem);
+}
+
 /// A carried device that sees points needs something to look at.
 void check_seen_beacons(Reader& reader, const Place& at, const DeviceEntry& device,
                         const std::vector<BeaconSet>& sets) {
@@ -274,7 +295,12 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                                  entry.type +
                                      " has states of its own, such as a bias, "
                                      "with which it can't look at beacons");
-    if (around.single && device->span() != Span::point && device->span() != Span::pose)
+    const bool of_pose = device->span() == Span::point || device->span() == Span::pose;
+    if (entry.exposure > 0 && !of_pose)
+      return reader.error_within(
+          at, at.node().find("exposure")->mark, "exposure",
+          "is of the pose's mean, but " + entry.type + " measures more than the pose");
+    if (around.single && !of_pose)
       return reader.error(at,
                           "measures more than the pose, of which a single reading is; "
                           "use covariance: prior or posterior");
@@ -306,6 +332,7 @@ void read_device(Reader& reader, const Place& at, Around& around, DeviceEntry& o
   check_mount(reader, at, out);
   check_group(reader, at, out, around.groups);
   check_clock(reader, at, out, around.single);
+  check_exposure(reader, at, out);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);
   if (!plugin.info) {
@@ -372,6 +399,13 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
                          std::to_string(states + around.own_states) +
                          " with those of the motion; at most " +
                          std::to_string(kMaxState) + " can be estimated");
+  const bool exposes =
+      std::any_of(scene.devices.begin(), scene.devices.end(),
+                  [](const DeviceEntry& device) { return device.exposure > 0; });
+  if (exposes && around.own_states > 0)
+    reader.error(at,
+                 "have states of their own, such as biases, and an exposure, which "
+                 "aren't solved for together; leave one of them out");
 }
 
 Node write_groups(const std::vector<Group>& groups) {

@@ -131,7 +131,7 @@ class Walk {
   SceneNumber of_device(DeviceEntry& device) {
     std::vector<std::string> words = facing_words(device.placement);
     words.insert(words.begin(), device.mounting ? "coordinates" : "at");
-    words.insert(words.end(), {"rate", "phase", "params"});
+    words.insert(words.end(), {"rate", "phase", "exposure", "params"});
     const std::string& key = next(std::move(words));
     if (key == "rate") {
       SceneNumber rate = end(device.rate, "1/s", 0);
@@ -139,6 +139,7 @@ class Walk {
       return rate;
     }
     if (key == "phase") return end(device.phase, "s", 0);
+    if (key == "exposure") return end(device.exposure, "s", 0, 1 / device.rate);
     if (key == "params") return of_params(device);
     if (key != "coordinates") return of_facing(key, device.placement);
     auto& coordinates = device.mounting->coordinates;

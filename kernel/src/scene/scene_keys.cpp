@@ -264,6 +264,27 @@ void check_varied_rates(Reader& reader, const Place& root, const Scene& scene) {
                                   : "; tie all rates together, or use continuous"));
 }
 
+/// Not every fusion, nor every motion, knows of readings that take time.
+void check_exposures(Reader& reader, const Place& root, const Scene& scene) {
+  const std::string problem = exposure_problem(scene.motion, definition_of(scene));
+  if (problem.empty()) return;
+  for (std::size_t i = 0; i < scene.devices.size(); ++i) {
+    const DeviceEntry& device = scene.devices[i];
+    const Node* given = root.node().find("devices")->items[i].find("exposure");
+    if (given && device.exposure > 0)
+      reader.error_within(root, given->mark, "devices." + device.name + ".exposure",
+                          problem);
+  }
+}
+
+/// Nor may variables make readings take time where that isn't known.
+void check_varied_exposures(Reader& reader, const Place& root, const Scene& scene) {
+  const std::string problem = exposure_problem(scene.motion, definition_of(scene));
+  if (!problem.empty() && varies_exposures(scene))
+    reader.error_within(root, root.node().find("variables")->mark, "variables",
+                        "change an exposure, which " + problem);
+}
+
 /// Orientations stand in `sample` or beside it, not in both.
 void check_orientations(Reader& reader, const Place& root) {
   const Node* beside = root.node().find("orientations");
@@ -323,12 +344,20 @@ Scene read_scene(Reader& reader, const Node& root) {
       !draft.scene.devices.empty() &&
       std::all_of(draft.scene.devices.begin(), draft.scene.devices.end(),
                   [](const DeviceEntry& d) { return d.rate > 0; });
-  if (draft.known.motion && rates_known) check_fusion(reader, place, draft.scene);
+  if (draft.known.motion && rates_known) {
+    check_fusion(reader, place, draft.scene);
+    check_exposures(reader, place, draft.scene);
+  }
   if (reader.findings.errors() > 0) return std::move(draft.scene);
   if (const Node* occluders = root.find("occluders"))
     find_rooms(reader, Place(place, "occluders", *occluders), draft.scene);
   read_search(reader, place, draft.scene);
   if (reader.findings.errors() == 0) check_varied_rates(reader, place, draft.scene);
+  if (reader.findings.errors() == 0) {
+    // Varied rates may have made the fusion another one.
+    check_exposures(reader, place, draft.scene);
+    check_varied_exposures(reader, place, draft.scene);
+  }
   return std::move(draft.scene);
 }
 

@@ -10,13 +10,15 @@ namespace delos {
 bool is_reducible(const System& system) {
   return system.motion.is_chain() &&
          information_size(system) == system.motion.layout.coordinates() &&
+         has_one_exposure(system) &&
          (system.fusion == Fusion::stacked || system.fusion == Fusion::continuous);
 }
 
 ChainReduction::ChainReduction(const System& system)
     : L(std::get<ChainMotion>(system.motion.dynamics).q.llt().matrixL()),
       order(system.motion.layout.order),
-      sampling{system.fusion == Fusion::continuous, system.devices.front().period},
+      sampling{system.fusion == Fusion::continuous, system.devices.front().period,
+               system.devices.front().exposure},
       kind(system.covariance) {}
 
 void ChainReduction::solve(const SpectralForm& form, const SteadyRequest& request,
@@ -42,11 +44,11 @@ void ChainReduction::solve(const SpectralForm& form, const SteadyRequest& reques
   }
   if (!request.time_constant) return;
   // The least measured direction forgets most slowly.
-  out.time_constant =
-      lost > 0 ? kInfinity
-      : sampling.continuous
-          ? continuous_chain_time_constant(order, form.lambda(0))
-          : discrete_chain_time_constant(order, sampling.dt, form.lambda(0));
+  out.time_constant = lost > 0 ? kInfinity
+                      : sampling.continuous
+                          ? continuous_chain_time_constant(order, form.lambda(0))
+                          : exposed_chain_time_constant(
+                                order, sampling.dt, sampling.exposure, form.lambda(0));
 }
 
 StateMatrix ChainReduction::adjoint(const SpectralForm& form,

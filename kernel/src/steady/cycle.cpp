@@ -15,34 +15,37 @@ CycleSolver::CycleSolver(const System& system, Solver solver)
   const auto cycle = update_cycle(system);
   if (const auto* problem = std::get_if<std::string>(&cycle))
     throw std::invalid_argument(*problem);
-  for (const UpdateSlot& slot : std::get<std::vector<UpdateSlot>>(cycle)) {
-    add_step(discretize(system.motion, slot.interval), slot.devices);
-    intervals_.push_back(slot.interval);
-  }
+  const auto& slots = std::get<std::vector<UpdateSlot>>(cycle);
+  add_slots(slots);
+  for (const UpdateSlot& slot : slots) intervals_.push_back(slot.interval);
 }
 
 void CycleSolver::solve(SteadyEquation& at, const SteadyRequest& request,
                         FusedState& out) const {
   solve_cycle(at.steps, at.states);
+  out.status = RiccatiStatus::converged;
+  for (const SteadyState& state : at.states)
+    if (state.status != RiccatiStatus::converged) out.status = state.status;
+  const Eigen::Index n = system_.motion.layout.size();
+  if (request.time_constant) {
+    const double length = std::accumulate(intervals_.begin(), intervals_.end(), 0.0);
+    out.time_constant = out.status == RiccatiStatus::converged
+                            ? time_constant_of_radius(radius_of(at, n), length)
+                            : kInfinity;
+  }
+  for (SteadyState& state : at.states) restrict_to(n, state);
+
   const Eigen::Index d = system_.motion.layout.coordinates();
   const auto size = [d](const StateMatrix& P) { return P.topLeftCorner(d, d).trace(); };
-  out.status = RiccatiStatus::converged;
   out.unobservable = at.states.back().unobservable;
   out.worst_prior = at.states.front().prior;
   out.best_posterior = at.states.front().posterior;
   for (const SteadyState& state : at.states) {
-    if (state.status != RiccatiStatus::converged) out.status = state.status;
     if (size(state.prior) > size(out.worst_prior)) out.worst_prior = state.prior;
     if (size(state.posterior) < size(out.best_posterior))
       out.best_posterior = state.posterior;
   }
   set_mean(at, out);
-  if (!request.time_constant) return;
-  const double length = std::accumulate(intervals_.begin(), intervals_.end(), 0.0);
-  out.time_constant =
-      out.status == RiccatiStatus::converged
-          ? time_constant_of_radius(closed_loop_radius(at.steps, at.states), length)
-          : kInfinity;
 }
 
 void CycleSolver::set_mean(const SteadyEquation& at, FusedState& out) const {

@@ -26,31 +26,37 @@ void SteadyEquation::clear() {
   readings.clear();
   for (CycleStep& step : steps) {
     Measurement& m = step.measurement;
-    m.information.topLeftCorner(columns, columns).setZero();
+    m.information.setZero();
     m.exact.resize(0, m.information.cols());
     m.rows.resize(0, 0);
   }
 }
 
-void SteadyEquation::add(std::size_t step, const double* S, int stride) {
+void SteadyEquation::add(std::size_t step, const StateBlock& read, const double* S,
+                         int stride) {
   StateMatrix& sum = steps[step].measurement.information;
-  for (int i = 0; i < columns; ++i)
+  for (int i = 0; i < read.size; ++i)
     for (int j = 0; j <= i; ++j)
-      sum(j, i) = sum(i, j) += S[packed_index(i, j) * stride];
+      sum(read.first + j, read.first + i) = sum(read.first + i, read.first + j) +=
+          S[packed_index(i, j) * stride];
 }
 
-void SteadyEquation::add_reading(const Eigen::Ref<const Eigen::RowVectorXd>& row,
+void SteadyEquation::add_reading(const StateBlock& read,
+                                 const Eigen::Ref<const Eigen::RowVectorXd>& row,
                                  double information) {
-  const Eigen::Index n = steps.front().motion.A.rows();
+  const auto n = static_cast<std::size_t>(steps.front().motion.A.rows());
+  const std::size_t begin = readings.size();
+  readings.resize(begin + n, 0);
   const double root = std::sqrt(information);
-  for (Eigen::Index i = 0; i < n; ++i)
-    readings.push_back(i < row.size() ? root * row(i) : 0);
+  for (int i = 0; i < read.size; ++i)
+    readings[begin + static_cast<std::size_t>(read.first + i)] = root * row(i);
 }
 
-void SteadyEquation::add_perfect(std::size_t step, const StateVector& row) {
+void SteadyEquation::add_perfect(std::size_t step, const StateBlock& read,
+                                 const StateVector& row) {
   StateMatrix& exact = steps[step].measurement.exact;
   StateVector whole = StateVector::Zero(exact.cols());
-  whole.head(row.size()) = row;
+  whole.segment(read.first, read.size) = row.head(read.size);
   append_independent(whole, exact);
 }
 

@@ -1,5 +1,6 @@
 #include "steady/stacked.h"
 
+#include "delos/rig/schedule.h"
 #include "steady/chain_reduction.h"
 #include "steady/general_state.h"
 #include "steady/single.h"
@@ -20,8 +21,9 @@ bool may_lack_digits(const Measurement& measurement, const SteadyState& state) {
 
 StackedSolver::StackedSolver(const System& system, Solver solver)
     : SmoothSteadySolver(system, solver) {
-  add_step(discretize(system.motion, system.devices.front().period),
-           all_devices(system.devices.size()));
+  const UpdateSlot all{system.devices.front().period,
+                       all_devices(system.devices.size())};
+  add_slots({&all, 1});
 }
 
 void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
@@ -40,18 +42,22 @@ void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
   if (!at.readings.empty() && may_lack_digits(measurement, at.states.front())) {
     measurement.information.setZero();
     measurement.information.diagonal()
-        .head(system_.motion.layout.coordinates())
+        .segment(at.block.first, system_.motion.layout.coordinates())
         .setConstant(at.besides);
-    const Eigen::Index n = motion.A.rows();
+    const Eigen::Index columns = motion.A.rows();
     measurement.rows = Eigen::Map<
         const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        at.readings.data(), static_cast<Eigen::Index>(at.readings.size()) / n, n);
+        at.readings.data(), static_cast<Eigen::Index>(at.readings.size()) / columns,
+        columns);
     at.states.front() = solve_doubling(motion, measurement);
   }
-  set_state(at.states.front(), out);
+  const Eigen::Index n = system_.motion.layout.size();
+  SteadyState state = at.states.front();
+  restrict_to(n, state);
+  set_state(state, out);
   if (request.time_constant)
-    out.time_constant = time_constant_of_radius(closed_loop_radius(at.steps, at.states),
-                                                system_.devices.front().period);
+    out.time_constant =
+        time_constant_of_radius(radius_of(at, n), system_.devices.front().period);
 }
 
 StateMatrix StackedSolver::adjoint(const SteadyEquation& at,
@@ -61,12 +67,13 @@ StateMatrix StackedSolver::adjoint(const SteadyEquation& at,
   const Eigen::Index n = measurement.information.rows();
   StateMatrix whole = StateMatrix::Zero(n, n);
   whole.topLeftCorner(Y.rows(), Y.cols()) = Y;
+  const auto [first, size] = at.block;
   if (system_.covariance == CovarianceKind::single)
     return single_reading_gradient(at.states.front(), whole)
-        .topLeftCorner(at.columns, at.columns);
+        .block(first, first, size, size);
   return riccati_gradient(motion, measurement, at.states.front(), whole,
                           system_.covariance != CovarianceKind::prior)
-      .topLeftCorner(at.columns, at.columns);
+      .block(first, first, size, size);
 }
 
 }  // namespace delos

@@ -1,6 +1,10 @@
 #include "delos/steady/steady_solver.h"
 
+#include <algorithm>
+
 #include "delos/model/lanes.h"
+#include "delos/rig/schedule.h"
+#include "delos/scene/definition.h"
 #include "layers/block.h"
 #include "observe/measure.h"
 #include "steady/artemis.h"
@@ -8,6 +12,7 @@
 #include "steady/continuous.h"
 #include "steady/cycle.h"
 #include "steady/stacked.h"
+#include "steady/windows.h"
 
 namespace delos {
 namespace {
@@ -16,6 +21,32 @@ namespace {
 Solver fastest(const System& system) {
   if (system.fusion == Fusion::artemis) return Solver::eigenvector;
   return is_reducible(system) ? Solver::spectral : Solver::doubling;
+}
+
+bool exposes(const System& system) {
+  return std::any_of(system.devices.begin(), system.devices.end(),
+                     [](const PlacedDevice& d) { return d.exposure > 0; });
+}
+
+/// @throws std::invalid_argument the system has readings that take time, and can't
+void check_exposures_of(const System& system) {
+  if (!exposes(system)) return;
+  const std::string problem =
+      exposure_problem(system.motion, {system.fusion, system.covariance});
+  if (!problem.empty()) throw std::invalid_argument("an exposure " + problem);
+  if (!system.motion.own.empty())
+    throw std::invalid_argument(
+        "exposures and states of the devices' own aren't solved for together");
+  for (const PlacedDevice& d : system.devices) {
+    const bool of_pose =
+        d.device->span() == Span::point || d.device->span() == Span::pose;
+    if (d.exposure > 0 && !of_pose)
+      throw std::invalid_argument(d.name +
+                                  " measures more than the pose; an exposure is of "
+                                  "the pose's mean");
+    if (!(d.exposure >= 0 && d.exposure <= d.period))
+      throw std::invalid_argument(d.name + ": its exposure isn't within its period");
+  }
 }
 
 /// The solver that fits.
@@ -30,7 +61,7 @@ Solver suitable(const System& system, Solver wanted) {
         throw UnsuitableSolver(
             "the spectral solver needs a position, position_velocity or "
             "position_velocity_acceleration motion, devices that measure the pose "
-            "alone, and stacked or continuous fusion",
+            "alone and expose equally long, and stacked or continuous fusion",
             instead);
       break;
     case Solver::doubling:
@@ -45,6 +76,10 @@ Solver suitable(const System& system, Solver wanted) {
         throw UnsuitableSolver("the eigenvector solver can't do " +
                                    std::string(to_string(system.fusion)) + " fusion",
                                instead);
+      if (exposes(system))
+        throw UnsuitableSolver(
+            "the eigenvector solver can't do devices that expose, whose A is singular",
+            instead);
       break;
   }
   return wanted;
@@ -56,6 +91,7 @@ SteadySolver::SteadySolver(const System& system, Solver solver)
     : system_(system),
       solver_(suitable(system, solver)),
       reports_(system.devices.size()) {
+  check_exposures_of(system);
   if (solver_ == Solver::spectral)
     reduction_ = std::make_unique<const ChainReduction>(system);
 }
@@ -63,15 +99,28 @@ SteadySolver::SteadySolver(const System& system, Solver solver)
 SteadySolver::~SteadySolver() = default;
 
 void SteadySolver::add_step(const MotionStep& motion, std::span<const int> devices) {
-  const Eigen::Index n = system_.motion.layout.size();
   for (const int device : devices)
-    reports_[static_cast<std::size_t>(device)].push_back(steps_.size());
+    reports_[static_cast<std::size_t>(device)].push_back(
+        {steps_.size(), {0, information_size(system_)}});
+  const Eigen::Index n = motion.A.rows();
   steps_.push_back({motion, {StateMatrix::Zero(n, n), StateMatrix(0, n)}});
 }
 
+void SteadySolver::add_slots(std::span<const UpdateSlot> slots) {
+  const ExposureWindows windows(system_, slots);
+  for (std::size_t s = 0; s < slots.size(); ++s) {
+    add_step(windows.motion(s), slots[s].devices);
+    for (const int device : slots[s].devices)
+      reports_[static_cast<std::size_t>(device)].back().read = windows.block(s, device);
+  }
+}
+
 SteadyEquation SteadySolver::equation() const {
-  return {steps_, information_size(system_), std::vector<SteadyState>(steps_.size()),
-          std::nullopt};
+  const int columns = information_size(system_);
+  const bool together = has_one_exposure(system_) && !reports_.front().empty();
+  return {steps_, columns,
+          together ? reports_.front().front().read : StateBlock{0, columns},
+          std::vector<SteadyState>(steps_.size()), std::nullopt};
 }
 
 void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pose,
@@ -79,16 +128,19 @@ void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pos
   at.clear();
   const std::size_t layer =
       static_cast<std::size_t>(packed_index(at.columns, 0)) * kLanes;
-  if (system_.fusion == Fusion::stacked || system_.fusion == Fusion::continuous) {
-    at.add(0, block.total.data() + lane, kLanes);  // the weighted sum
+  const bool at_once =
+      system_.fusion == Fusion::stacked || system_.fusion == Fusion::continuous;
+  if (at_once && has_one_exposure(system_)) {
+    at.add(0, at.block, block.total.data() + lane, kLanes);  // the weighted sum
   } else {
     for (CycleStep& step : at.steps)
       step.measurement.information.diagonal()
           .head(system_.motion.layout.coordinates())
           .setConstant(system_.prior);
     for (std::size_t i = 0; i < reports_.size(); ++i)
-      for (const std::size_t step : reports_[i])
-        at.add(step, block.layers.data() + i * layer + lane, kLanes);
+      for (const Report& report : reports_[i])
+        at.add(report.step, report.read, block.layers.data() + i * layer + lane,
+               kLanes);
   }
   const bool careful = reads_rows();
   if (careful) at.besides = system_.prior;
@@ -101,11 +153,11 @@ void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pos
     if (!((careful ? block.seen[i] : block.perfect[i]) >> lane & 1)) continue;
     const auto keep = [&](const StateRow& row) {
       if (!row.perfect()) {
-        if (careful) at.add_reading(row.h, row.weight());
+        if (careful) at.add_reading(reports_[i].front().read, row.h, row.weight());
         return;
       }
-      for (const std::size_t step : reports_[i])
-        at.add_perfect(step, row.h.transpose());
+      for (const Report& report : reports_[i])
+        at.add_perfect(report.step, report.read, row.h.transpose());
     };
     measure(system_, system_.devices[i], pose, at.columns, measuring, keep);
   }
@@ -120,8 +172,8 @@ bool SteadySolver::reduce(SteadyEquation& at, const SteadyRequest& request,
   at.form.reset();
   const Measurement& m = at.steps.front().measurement;
   if (!reduction_ || m.exact.rows() > 0) return false;
-  at.form =
-      spectral_form(reduction_->L, m.information.topLeftCorner(at.columns, at.columns));
+  const auto [first, size] = at.block;
+  at.form = spectral_form(reduction_->L, m.information.block(first, first, size, size));
   reduction_->solve(*at.form, request, out);
   return true;
 }
@@ -143,6 +195,8 @@ std::unique_ptr<const SteadySolver> make_steady_solver(const System& system,
 }
 
 std::string adjoint_problem(const System& system) {
+  if (!has_one_exposure(system))
+    return "fusion of devices that don't expose equally long has no derivative here";
   if (system.fusion == Fusion::stacked || is_reducible(system)) return "";
   return std::string(to_string(system.fusion)) +
          " fusion of this system has no derivative here";

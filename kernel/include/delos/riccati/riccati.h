@@ -97,6 +97,12 @@ solve_continuous(const MotionStep& continuous, const StateMatrix& information_ra
 [[nodiscard]] DELOS_API double closed_loop_radius(std::span<const CycleStep> cycle,
                                                   std::span<const SteadyState> states);
 
+/// The same by the gain instead of Π P⁻¹: of states that nearly depend on each other,
+/// such as a position and its mean over a moment.
+/// @param cycle with its measurements
+[[nodiscard]] DELOS_API double closed_loop_radius_by_gain(
+    std::span<const CycleStep> cycle, std::span<const SteadyState> states);
+
 /// Largest real part of the poles of dx/dt = (F − P S) x, 1/s; below 0 where it
 /// forgets.
 [[nodiscard]] DELOS_API double continuous_closed_loop_rate(

@@ -11,6 +11,7 @@ namespace delos {
 struct Sampling {
   bool continuous = false;  ///< true: λ is an information rate and dt is not used
   double dt = 0;            ///< update period, seconds
+  double exposure = 0;      ///< a reading is the mean over so many of them, ≤ dt
 };
 
 /// M = LᵀSL = U Λ Uᵀ: the measurement seen in coordinates of unit process noise, q = L

@@ -53,6 +53,9 @@ struct PlacedDevice {
   double noise = 1;   ///< its noise's covariance is so many times what it says, > 0
   double period = 0;  ///< seconds between updates, > 0
   double phase = 0;   ///< seconds to the first update, ≥ 0
+  /// Seconds up to an update over which its reading is the mean, ≤ period; 0: it is of
+  /// that instant.
+  double exposure = 0;
   std::optional<int> clock;  ///< the state that its readings are off by
   StateRange own;            ///< its own states
 
@@ -111,6 +114,10 @@ struct DELOS_API System {
 /// The size of the information that the devices give: d where all measure the pose
 /// alone, else n.
 [[nodiscard]] DELOS_API int information_size(const System& system);
+
+/// Whether all devices expose equally long, or none does: what they know of their mean
+/// adds up.
+[[nodiscard]] DELOS_API bool has_one_exposure(const System& system);
 
 /// By how much of what a device measures at once the information grows in one update,
 /// or, under continuous fusion, in a second: 1, or its rate.

@@ -38,8 +38,21 @@ struct Definition {
 /// Whether a variable changes the rate of a device.
 [[nodiscard]] DELOS_API bool varies_rates(const Scene& scene);
 
+/// Whether a variable changes how long a device exposes.
+[[nodiscard]] DELOS_API bool varies_exposures(const Scene& scene);
+
 /// Whether all devices have one rate, whatever the variables are set to.
 [[nodiscard]] DELOS_API bool has_one_rate(const Scene& scene);
+
+/// Empty where a device's reading is over by its next update; else a phrase about its
+/// exposure.
+/// @pre its rate is above 0
+[[nodiscard]] DELOS_API std::string exposure_problem(const DeviceEntry& device);
+
+/// Empty where readings that are fused so can take time; else why not, a sentence
+/// without its subject.
+[[nodiscard]] DELOS_API std::string exposure_problem(const MotionModel& motion,
+                                                     const Definition& definition);
 
 /// What a scene's numbers are of. Its fusion, where it doesn't say, is its default:
 /// stacked where has_one_rate(), or motion is one update, else continuous. So no design

@@ -23,7 +23,8 @@ struct SceneNumber {
 /// Find a number by the path that an override would use:
 ///
 ///   devices.NAME.at.x  .aim.y  .rpy.yaw  .quaternion_wxyz.w  .coordinates.0  .rate
-///   .phase devices.NAME.params.P  .params.P.0  .params.P.0.1 groups.NAME.at.x …
+///   .phase  .exposure devices.NAME.params.P  .params.P.0  .params.P.0.1
+///   groups.NAME.at.x …
 ///   occluders.NAME.at.x …   target.markers.0.x surfaces.NAME.patch.origin.x .patch.u.x
 ///   .from.origin.x  .rail.0.x   motion.q.0
 ///

@@ -199,6 +199,8 @@ struct DeviceEntry {
   double rate = 0;  ///< updates a second, > 0
   double phase =
       0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
+  /// A reading is the mean over so many seconds up to its update; at most 1/rate.
+  double exposure = 0;
   /// Of `target`: its placement is in the target's frame, and it sees beacons.
   Mount mount = Mount::world;
   std::vector<std::string> beacons;         ///< sets that it sees; empty: all

@@ -24,13 +24,20 @@ struct SteadyRequest {
 [[nodiscard]] DELOS_API SteadyRequest request_for(const System& system,
                                                   std::span<const Metric> metrics);
 
+/// Consecutive states that a device reads.
+struct StateBlock {
+  int first = 0, size = 0;
+};
+
 /// The equation of P∞ at one pose, and what its solution is made of. Made once a thread
 /// by SteadySolver::equation(), so that solving allocates nothing.
 struct DELOS_API SteadyEquation {
-  /// A cycle: the motion up to an instant, and what is measured then. Information is
-  /// n×n, and 0 outside its upper left c×c, c = information_size().
+  /// A cycle: the motion up to an instant, and what is measured then. Devices that
+  /// expose read states behind those of the motion: see steady/windows.h. Information
+  /// is 0 outside the blocks on its diagonal that devices read.
   std::vector<CycleStep> steps;
-  int columns = 0;                   ///< c
+  int columns = 0;                   ///< c, information_size()
+  StateBlock block;                  ///< that devices read, where all read the same
   std::vector<SteadyState> states;   ///< of each step, where solved so
   std::optional<SpectralForm> form;  ///< where reduced to scalar chains
   /// Of the only step's information, the readings that it is of: rows of R^(−1/2) H, n
@@ -41,15 +48,24 @@ struct DELOS_API SteadyEquation {
 
   /// Nothing is measured any more.
   void clear();
-  /// A step measures so much more.
-  /// @param S packed as model/lanes.h says, its elements `stride` numbers apart
-  void add(std::size_t step, const double* S, int stride = 1);
+  /// A step measures so much more of a block.
+  /// @param S c×c, packed as model/lanes.h says, its elements `stride` numbers apart
+  void add(std::size_t step, const StateBlock& read, const double* S, int stride = 1);
+  void add(std::size_t step, const double* S) { add(step, block, S); }
   /// A step measures a row without noise.
-  /// @param row c or n numbers
-  void add_perfect(std::size_t step, const StateVector& row);
+  /// @param row c numbers or more
+  void add_perfect(std::size_t step, const StateBlock& read, const StateVector& row);
+  void add_perfect(std::size_t step, const StateVector& row) {
+    add_perfect(step, block, row);
+  }
   /// The only step's information has a reading with so much information.
   /// @param row c numbers
-  void add_reading(const Eigen::Ref<const Eigen::RowVectorXd>& row, double information);
+  void add_reading(const StateBlock& read,
+                   const Eigen::Ref<const Eigen::RowVectorXd>& row, double information);
+  void add_reading(const Eigen::Ref<const Eigen::RowVectorXd>& row,
+                   double information) {
+    add_reading(block, row, information);
+  }
 };
 
 }  // namespace delos

@@ -15,6 +15,7 @@
 namespace delos {
 
 struct ChainReduction;
+struct UpdateSlot;
 
 /// S ↦ P∞ of a system, by its fusion. Holds what doesn't change from pose to pose.
 /// Reentrant with an equation a thread.
@@ -49,6 +50,10 @@ class DELOS_API SteadySolver {
   SteadySolver(const System& system, Solver solver);
   /// One step more: the motion that leads to it, and who reports then.
   void add_step(const MotionStep& motion, std::span<const int> devices);
+  /// A step a slot, each with what its readings are the means of.
+  /// @throws std::invalid_argument more readings are under way at once than a state
+  ///         holds; the sentence says so
+  void add_slots(std::span<const UpdateSlot> slots);
   /// Solve by the chain reduction; false where that isn't possible.
   bool reduce(SteadyEquation& at, const SteadyRequest& request, FusedState& out) const;
 
@@ -58,7 +63,11 @@ class DELOS_API SteadySolver {
   Solver solver_;
   std::unique_ptr<const ChainReduction> reduction_;
   std::vector<CycleStep> steps_;
-  std::vector<std::vector<std::size_t>> reports_;  // of each device: its steps
+  struct Report {
+    std::size_t step;
+    StateBlock read;
+  };
+  std::vector<std::vector<Report>> reports_;  // of each device
 };
 
 /// A solver whose P∞ has slopes. P∞ is matrix-convex and decreasing in S.
@@ -78,8 +87,8 @@ class DELOS_API SmoothSteadySolver : public SteadySolver {
 
 /// The solver of a system's fusion.
 /// @throws UnsuitableSolver the solver can't do this system
-/// @throws std::invalid_argument the rates have no short cycle; the sentence says what
-///         would help
+/// @throws std::invalid_argument the rates have no short cycle, the fusion knows no
+///         exposure, or too many overlap; the sentence says what would help
 [[nodiscard]] DELOS_API std::unique_ptr<const SteadySolver> make_steady_solver(
     const System& system, Solver solver = Solver::automatic);
 
