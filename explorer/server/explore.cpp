@@ -1,0 +1,86 @@
+#include "server/explore.h"
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <csignal>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "server/connection.h"
+
+namespace delos::server {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+constexpr int kMostConnections = 128;
+
+/// Counts connections while they live.
+class Counted {
+ public:
+  explicit Counted(int& count) : count_(count) { ++count_; }
+  ~Counted() { --count_; }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+
+ private:
+  int& count_;
+};
+
+asio::awaitable<void> serve_counted(tcp::socket socket, Api& api, unsigned short port,
+                                    int& connections) {
+  const Counted counted(connections);
+  if (connections > kMostConnections)
+    co_await turn_away(std::move(socket));
+  else
+    co_await serve(std::move(socket), api, port);
+}
+
+asio::awaitable<void> listen(tcp::acceptor& acceptor, Api& api, int& connections) {
+  const unsigned short port = acceptor.local_endpoint().port();
+  while (acceptor.is_open()) {
+    boost::system::error_code error;
+    tcp::socket socket = co_await acceptor.async_accept(
+        asio::redirect_error(asio::use_awaitable, error));
+    if (error) continue;
+    co_spawn(acceptor.get_executor(),
+             serve_counted(std::move(socket), api, port, connections), asio::detached);
+  }
+}
+
+/// @throws std::system_error
+void bind(tcp::acceptor& acceptor, unsigned short port) {
+  try {
+    const tcp::endpoint here(asio::ip::address_v4::loopback(), port);
+    acceptor.open(here.protocol());
+    acceptor.set_option(tcp::acceptor::reuse_address(true));
+    acceptor.bind(here);
+    acceptor.listen();
+  } catch (const boost::system::system_error& error) {
+    throw std::system_error(error.code(), "port " + std::to_string(port));
+  }
+}
+
+}  // namespace
+
+void explore(const ExploreOptions& options, PluginRegistry& plugins,
+             const std::function<void(const std::string& address)>& listening) {
+  Api api(options.scene, plugins, options.threads);
+  int connections = 0;
+  asio::io_context io(1);
+  tcp::acceptor acceptor(io);
+  bind(acceptor, options.port);
+  asio::signal_set signals(io, SIGINT, SIGTERM, SIGHUP);
+  signals.async_wait([&](const auto&, int) { io.stop(); });
+  co_spawn(io, listen(acceptor, api, connections), asio::detached);
+  listening("http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port()) +
+            "/");
+  io.run();
+  api.stop();
+}
+
+}  // namespace delos::server
