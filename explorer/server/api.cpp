@@ -40,7 +40,7 @@ Reply guarded(const Function& function) {
   }
 }
 
-/// "1:17: …" of a text that isn't JSON.
+/// "at line 1, column 17: …" of what the parser says.
 std::string without_prefix(const std::string& what) {
   const std::size_t at = what.find("at line ");
   return at == std::string::npos ? what : what.substr(at);
@@ -70,7 +70,7 @@ asio::awaitable<Reply> Api::answer(std::string verb, std::string body) {
   Json request;
   try {
     request = Json::parse(body);
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {
     co_return refusal(Status::bad_request,
                       "the request isn't JSON: " + without_prefix(error.what()));
   }

@@ -123,6 +123,7 @@ Json description(const Design& design, std::size_t revision, PluginRegistry& plu
             {"metrics", metric_names(known_metrics(loaded.scene))},
             {"definition",
              to_string(Definition{loaded.system.fusion, loaded.system.covariance})},
+            {"fusion", to_string(loaded.system.fusion)},
             {"box", {{"min", numbers(samples.min())}, {"max", numbers(samples.max())}}},
             {"room", {{"min", numbers(room.min())}, {"max", numbers(room.max())}}}};
   json["devices"] = Json::array();

@@ -9,8 +9,8 @@ namespace delos::session {
 /// What there is, where it stands and what may be changed:
 ///
 ///   {revision, undo, redo, name, metric: {name, unit, larger_is_better}, metrics,
-///    definition, box: {min, max} of the samples, room: {min, max} of devices too,
-///    devices: [{name, type, rate, mount, group, surface, coordinates, at, facing,
+///    definition, fusion, box: {min, max} of the samples, room: {min, max} of devices
+///    too, devices: [{name, type, rate, mount, group, surface, coordinates, at, facing,
 ///               value, pose: {p, R}, params: {name: value}, outline}],
 ///    types: {type: parameter_table()}}
 ///

@@ -30,6 +30,9 @@ export interface Actions {
   look: (from: ViewName) => void;
 }
 
+/** The words of a scene's `fusion`. */
+const fusions = ['stacked', 'continuous', 'periodic', 'sequential', 'artemis'];
+
 const shortcuts: [string, string][] = [
   ['Ctrl Z, Ctrl Y', 'undo, redo'],
   ['G, R', 'move, turn the chosen device'],
@@ -50,6 +53,7 @@ export class Layout {
   private readonly bar = new ColourBar();
   private readonly scene: HTMLButtonElement;
   private readonly metric: HTMLSelectElement;
+  private readonly fusion: HTMLSelectElement;
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
   private readonly modes: Record<'translate' | 'rotate', HTMLButtonElement>;
@@ -75,6 +79,15 @@ export class Layout {
       id: 'metric',
       onchange: () => actions.change([{ path: 'metric', value: this.metric.value }], ''),
     });
+    this.fusion = h(
+      'select',
+      {
+        id: 'fusion',
+        title: 'How the readings of several devices come together',
+        onchange: () => actions.change([{ path: 'fusion', value: this.fusion.value }], ''),
+      },
+      ...fusions.map((name) => h('option', { value: name }, name)),
+    );
     this.undo = iconButton('undo', 'Undo (Ctrl Z)', actions.undo);
     this.redo = iconButton('redo', 'Redo (Ctrl Y)', actions.redo);
     this.modes = {
@@ -109,6 +122,7 @@ export class Layout {
       h('span', { className: 'brand' }, 'Delos'),
       this.scene,
       h('label', { className: 'metric', htmlFor: 'metric' }, 'Metric', this.metric),
+      h('label', { className: 'metric', htmlFor: 'fusion' }, 'Fusion', this.fusion),
       h('span', { className: 'space' }),
       this.undo,
       this.redo,
@@ -155,6 +169,7 @@ export class Layout {
     }
     this.metric.value = description.metric.name;
     this.metric.title = description.definition;
+    this.fusion.value = description.fusion;
     this.devices.show(description, selected);
     this.inspector.show(description, selected);
   }

@@ -60,6 +60,7 @@ export interface Description {
   metric: Metric;
   metrics: string[];
   definition: string;
+  fusion: string;
   box: Box;
   room: Box;
   devices: Device[];
