@@ -2,6 +2,7 @@
 import { unpack, type Field } from './field';
 import { Gizmo } from './gizmo';
 import { Layout } from './layout';
+import { counted, quantity } from './quantity';
 import { Scale } from './scale';
 import {
   listScenes,
@@ -25,6 +26,16 @@ import { middle, type Viewing } from './panels/viewing';
 const coarseSamples = 20_000;
 const sessionKey = 'delos-session';
 
+/** The picture in one sentence. */
+function words({ summary }: Field): string {
+  const { metric, min, max, samples, finite } = summary;
+  const from =
+    min && max
+      ? `${metric.name} from ${quantity(min.value, metric.unit)} to ${quantity(max.value, metric.unit)}`
+      : `${metric.name} is finite nowhere`;
+  return `The room: ${from}; ${samples - finite} of ${counted(samples, 'sample')} blind`;
+}
+
 export class App {
   private readonly layout: Layout;
   private readonly stage: Stage;
@@ -38,7 +49,7 @@ export class App {
   private colours = applyTheme(this.theme);
   private readonly viewing: Viewing = {
     axis: 2,
-    at: 0,
+    at: [0, 0, 0],
     surface: false,
     level: 0.35,
     logarithmic: false,
@@ -130,7 +141,8 @@ export class App {
     this.layout.devices.value(null);
     this.ask(null);
     this.viewing.axis = 2;
-    this.viewing.at = middle(description.box, 2);
+    this.viewing.at = middle(description.box);
+    this.viewing.surface = false;
     this.around = await session.ask<Around>('around');
     this.drawRoom();
     this.stage.look('corner', description.room);
@@ -193,11 +205,12 @@ export class App {
     const level = viewing.surface && grid && scale ? scale.at(viewing.level) : null;
     this.fieldView.show(
       field,
-      { axis: viewing.axis, at: viewing.at, level },
+      { axis: viewing.axis, at: viewing.at[viewing.axis] ?? 0, level },
       scale,
       this.colours.edge,
     );
     this.layout.field(field, scale, level);
+    this.stage.describe(words(field));
     this.described();
   }
 

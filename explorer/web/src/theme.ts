@@ -29,7 +29,7 @@ const drawn = {
     bodies: '#7d879b',
     beacons: '#b45f00',
     device: '#3c4454',
-    selected: '#c9510c',
+    selected: '#ad4207',
     sight: '#76809a',
     probe: '#c2185b',
     edge: '#2b3140',

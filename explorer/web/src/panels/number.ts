@@ -43,6 +43,7 @@ export class NumberField {
   private readonly range: ReturnType<typeof reach>;
   private readonly as: (si: number) => DisplayUnit;
   private gesture = '';
+  private sent = '';
 
   constructor(
     private readonly spec: NumberSpec,
@@ -99,7 +100,11 @@ export class NumberField {
       : (this.value - low) / (high - low);
     // A hand on the slider is ahead of what the server knows.
     if (this.gesture === '') this.slider.value = String(Math.round(steps * part));
-    if (document.activeElement !== this.box) this.box.value = this.shown();
+    // What is being typed stays; what was sent has its answer now.
+    if (document.activeElement !== this.box || this.box.value.trim() === this.sent) {
+      this.box.value = this.shown();
+      this.sent = '';
+    }
     this.slider.setAttribute('aria-valuetext', quantity(this.value, this.spec.unit, 4));
   }
 
@@ -118,6 +123,9 @@ export class NumberField {
   private type(): void {
     const text = this.box.value.trim();
     if (text === '') this.box.value = this.shown();
-    else this.spec.set(text, '');
+    else {
+      this.sent = text;
+      this.spec.set(text, '');
+    }
   }
 }

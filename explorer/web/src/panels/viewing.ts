@@ -3,12 +3,13 @@ import { h } from '../dom';
 import type { Field, GridPart } from '../field';
 import { digits, quantity } from '../quantity';
 import type { Scale } from '../scale';
-import type { Box } from '../server';
+import type { Box, Vec3 } from '../server';
 import { layerAt } from '../view/fieldview';
 
 export interface Viewing {
   axis: number;
-  at: number;
+  /** Where the slice across each axis lies, metres. */
+  at: Vec3;
   surface: boolean;
   /** Of the surface, as a part of the colour bar. */
   level: number;
@@ -17,7 +18,7 @@ export interface Viewing {
   names: boolean;
 }
 
-export const middle = (box: Box, axis: number) => (box.min[axis]! + box.max[axis]!) / 2;
+export const middle = ({ min, max }: Box) => min.map((x, k) => (x + max[k]!) / 2) as Vec3;
 
 const axes = ['x', 'y', 'z'];
 
@@ -44,7 +45,8 @@ export class ViewingPanel {
     this.layer.oninput = () => {
       const { origin, step } = this.grid!;
       const { axis } = this.viewing;
-      this.set({ at: origin[axis]! + Number(this.layer.value) * step[axis]! });
+      this.viewing.at[axis] = origin[axis]! + Number(this.layer.value) * step[axis]!;
+      this.changed();
     };
     this.level.oninput = () => this.set({ level: Number(this.level.value) / 100, surface: true });
     const toggle = (key: 'surface' | 'logarithmic' | 'frusta' | 'names') =>
@@ -112,7 +114,7 @@ export class ViewingPanel {
     this.layer.disabled = viewing.axis < 0;
     if (this.grid && viewing.axis >= 0) {
       const { origin, step, counts } = this.grid;
-      const n = layerAt(this.grid, viewing.axis, viewing.at);
+      const n = layerAt(this.grid, viewing.axis, viewing.at[viewing.axis]!);
       this.layer.max = String(counts[viewing.axis]! - 1);
       this.layer.value = String(n);
       this.layerText.textContent = `${axes[viewing.axis]} ${digits(origin[viewing.axis]! + n * step[viewing.axis]!, 3)} m`;

@@ -44,6 +44,7 @@ export class Stage {
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute('role', 'img');
+    this.describe('The room');
     this.labels.domElement.className = 'labels';
     host.append(this.canvas, this.labels.domElement);
 
@@ -69,6 +70,11 @@ export class Stage {
       this.renderer.render(this.scene, this.camera);
       this.labels.render(this.scene, this.camera);
     });
+  }
+
+  /** What the picture shows, for those who don't see it. */
+  describe(text: string): void {
+    this.canvas.setAttribute('aria-label', text);
   }
 
   background(colour: string): void {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "session.h"
+#include "designs.h"
 
 namespace delos::session {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "session.h"
+#include "designs.h"
 
 namespace delos::session {
 namespace {

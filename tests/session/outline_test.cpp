@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session.h"
+#include "designs.h"
 #include "session/view_outline.h"
 
 namespace delos::session {

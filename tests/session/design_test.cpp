@@ -1,5 +1,5 @@
 // A scene while it is changed.
-#include "session.h"
+#include "designs.h"
 
 namespace delos::session {
 namespace {

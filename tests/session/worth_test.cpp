@@ -1,7 +1,7 @@
 // What devices are worth, against scenes that were written without them.
 #include <cmath>
 
-#include "session.h"
+#include "designs.h"
 #include "session/device_worth.h"
 
 namespace delos::session {

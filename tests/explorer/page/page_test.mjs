@@ -1,0 +1,232 @@
+// A newcomer's first minute: one click shows a coloured room, one drag changes it, and the
+// numbers are those of the command line.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import {
+  axeSource,
+  delos,
+  drive,
+  picture,
+  pictures,
+  pixels,
+  probed,
+  range,
+  scenes,
+  settled,
+} from './browser.mjs';
+
+const laboratory = join(scenes, '05-optitrack-lab.yaml');
+const at = '0,0,1.5';
+
+/** @param refusals of the server, which the browser tells the console of */
+async function test(name, words, steps, refusals = 0) {
+  const began = Date.now();
+  const { code, complaints } = await drive(words, steps);
+  const refused = complaints.filter((text) => text.includes('status of 422'));
+  assert.equal(refused.length, refusals);
+  assert.deepEqual(complaints.filter((text) => !refused.includes(text)), [], 'the console is silent');
+  assert.equal(code, 0, 'Ctrl-C ends the server with exit code 0');
+  console.log(`${name}: ${((Date.now() - began) / 1000).toFixed(1)} s`);
+}
+
+const metricsOf = (file) =>
+  Object.fromEntries(
+    Object.entries(delos('point', file, '--at', at).metrics)
+      .map(([name, { value }]) => [name, value])
+      .filter(([name, value]) => name !== 'footprint' || value !== null),
+  );
+
+const rangeOf = (file) => {
+  const { min, max } = delos('field', file);
+  return [min.value, max.value];
+};
+
+async function probe(page) {
+  const inputs = await page.$$('form.at input');
+  for (const [k, number] of at.split(',').entries()) await inputs[k].fill(number);
+  await page.click('form.at button');
+  await page.waitForSelector('#report [data-metric]');
+  await settled(page);
+}
+
+async function save(page, name) {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.click('[aria-label="Save as a scene file"]'),
+  ]);
+  const file = join(pictures, name);
+  await download.saveAs(file);
+  return file;
+}
+
+/** The text box of a parameter of the chosen device. */
+const box = (page, label) => page.getByLabel(label, { exact: true });
+const slider = (page, label) => page.locator(`input[type=range][aria-label^="${label}, "]`);
+
+/** Drag by the hand: press on the element, move, let go. */
+async function dragSlider(page, label, part) {
+  await slider(page, label).scrollIntoViewIfNeeded();
+  const { x, y, width, height } = await slider(page, label).boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  for (let k = 1; k <= 8; ++k)
+    await page.mouse.move(x + width * (0.5 + ((part - 0.5) * k) / 8), y + height / 2);
+  await page.mouse.up();
+}
+
+await test('first minute', [], async (page) => {
+  await picture(page, 'start');
+  assert.ok((await page.locator('.scenes button').count()) >= 20, 'it offers the scenes');
+  await page.click('[data-scene="05-optitrack-lab"]');
+  await settled(page);
+  await picture(page, 'laboratory');
+  assert.deepEqual(await range(page), rangeOf(laboratory));
+  const seen = await pixels(page);
+  assert.ok(seen.drawn > 0.08 * seen.all, `the room is drawn: ${JSON.stringify(seen)}`);
+  assert.ok(seen.good > 0.04 * seen.all, `it is coloured: ${JSON.stringify(seen)}`);
+  assert.equal(await page.getAttribute('#verdict', 'data-least'), 'c104334');
+
+  await page.focus('[data-device=c104334]');
+  await page.keyboard.press('Enter');
+  await probe(page);
+  assert.deepEqual(await probed(page), metricsOf(laboratory));
+  await picture(page, 'probe');
+
+  await dragSlider(page, 'focal', 0.75);
+  await settled(page);
+  const changed = await probed(page);
+  assert.notDeepEqual(changed, metricsOf(laboratory));
+  const file = await save(page, 'slid.yaml');
+  assert.deepEqual(changed, metricsOf(file), 'the numbers are those of delos point');
+  assert.deepEqual(await range(page), rangeOf(file), 'and of delos field');
+
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.deepEqual(await probed(page), metricsOf(laboratory), 'a drag is undone at once');
+  assert.ok(await page.isDisabled('[aria-label="Undo (Ctrl Z)"]'), 'it was one step');
+  await page.keyboard.press('Control+y');
+  await settled(page);
+  assert.deepEqual(await probed(page), changed);
+
+  await page.reload();
+  await settled(page);
+  assert.deepEqual(await range(page), rangeOf(file), 'a reload loses nothing');
+  await page.click('[aria-label="Undo (Ctrl Z)"]');
+  await settled(page);
+  assert.deepEqual(await range(page), rangeOf(laboratory));
+});
+
+await test('a camera in the hand', [laboratory], async (page) => {
+  await settled(page);
+  await page.click('[data-device=c104334]');
+  const before = Number((await box(page, 'z').inputValue()).replace(' m', ''));
+  const tag = await page.locator('.tag.selected').boundingBox();
+  // The upright arrow of the gizmo begins above the icon.
+  const hand = { x: tag.x + tag.width / 2 + 2, y: tag.y + tag.height / 2 - 20 };
+  await page.mouse.move(hand.x, hand.y);
+  await page.mouse.down();
+  let drawn = 0;
+  let revision = '';
+  for (let k = 1; k <= 10; ++k) {
+    await page.mouse.move(hand.x, hand.y - 5 * k);
+    await page.waitForTimeout(60);
+    const now = await page.getAttribute('#numbers', 'data-revision');
+    drawn += now !== revision;
+    revision = now;
+  }
+  await picture(page, 'dragged');
+  await page.mouse.up();
+  await settled(page);
+  assert.ok(drawn >= 4, `the field follows while it moves: ${drawn} times`);
+  const after = Number((await box(page, 'z').inputValue()).replace(' m', ''));
+  assert.ok(after > before + 0.2, `${before} to ${after} m`);
+  const file = await save(page, 'dragged.yaml');
+  assert.deepEqual(await range(page), rangeOf(file));
+
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.equal(Number((await box(page, 'z').inputValue()).replace(' m', '')), before);
+  assert.ok(await page.isDisabled('[aria-label="Undo (Ctrl Z)"]'), 'one drag, one step');
+  const back = await page.locator('.tag.selected').boundingBox();
+  assert.ok(Math.abs(back.y - tag.y) < 1, 'the icon and its gizmo go back, too');
+});
+
+await test('numbers that are typed, and refused', [laboratory], async (page) => {
+  await settled(page);
+  await page.click('[data-device=c104321]');
+  await box(page, 'focal').fill('12 mm');
+  await box(page, 'focal').press('Enter');
+  await settled(page);
+  const typed = delos('field', laboratory, '--set', 'devices.c104321.params.focal=12 mm');
+  assert.deepEqual(await range(page), [typed.min.value, typed.max.value]);
+
+  await box(page, 'focal').fill('-1 mm');
+  await box(page, 'focal').press('Enter');
+  await page.waitForSelector('.message[data-mood=bad]:not(:empty)');
+  assert.match(await page.textContent('.message'), /focal: -0.001 m is below the least value/);
+  await page.keyboard.press('Tab');
+  assert.equal(await box(page, 'focal').inputValue(), '12 mm', 'it stays as it was');
+
+  await box(page, 'focal').press('Control+z');
+  assert.equal(await page.getAttribute('#numbers', 'data-revision'), '1', 'a text box keeps its keys');
+
+  await page.selectOption('#metric', 'coverage');
+  await settled(page);
+  const coverage = delos('field', laboratory, '--metric', 'coverage', '--set', 'devices.c104321.params.focal=12 mm');
+  assert.deepEqual(await range(page), [coverage.min.value, coverage.max.value]);
+  await picture(page, 'coverage');
+}, 1);
+
+await test('other kinds of rooms', [], async (page) => {
+  const open = async (scene) => {
+    if ((await page.title()) !== 'Delos') await page.click('#scene');  // else it asks by itself
+    await page.click(`[data-scene="${scene}"]`);
+    await page.waitForFunction((n) => document.title !== n, await page.title());
+    await settled(page);
+  };
+  await open('01-acoustic');
+  await page.check('#view-surface');
+  await page.check('#view-logarithmic');
+  await page.click('[aria-label="Slice across x"]');
+  await page.keyboard.press('y');
+  await picture(page, 'surface');
+  assert.ok((await pixels(page)).drawn > 0.03 * (await pixels(page)).all);
+
+  await open('06-furnished-lab');
+  await picture(page, 'furnished');
+  await page.click('[aria-label="Dark or light"]');
+  await picture(page, 'light');
+  await page.click('[aria-label="Dark or light"]');
+
+  await open('07-torso');
+  assert.deepEqual(await range(page), rangeOf(join(scenes, '07-torso.yaml')));
+  await open('hiball/six-lepd');
+  await picture(page, 'hiball');
+  await page.click('[data-device=hiball]');
+
+  // All blind: nothing of it may be bright.
+  await open('13-camera-spots');
+  await picture(page, 'blind');
+  const { good, all } = await pixels(page);
+  assert.ok(good < 0.002 * all, `blind is never drawn as good: ${good}`);
+});
+
+await test('for everybody', [laboratory], async (page) => {
+  await settled(page);
+  await page.click('[data-device=c104321]');
+  await probe(page);
+  for (const theme of ['dark', 'light']) {
+    assert.equal(await page.getAttribute('html', 'data-theme'), theme);
+    const overflow = await page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+    );
+    assert.equal(overflow, 0, 'all is within 1280 pixels');
+    await page.evaluate(axeSource);
+    const { violations } = await page.evaluate(() =>
+      window.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'] }),
+    );
+    const said = violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).join(', ')}`);
+    assert.deepEqual(said, [], `contrast and names, ${theme}`);
+    await page.click('[aria-label="Dark or light"]');
+  }
+});
