@@ -78,7 +78,10 @@ export class App {
       redo: () => this.work.change('redo', 'redo', {}),
       save: () => void this.save(),
       toggleTheme: () => this.toggleTheme(),
-      viewed: () => this.render(),
+      viewed: () => {
+        this.render();
+        this.described();
+      },
       ask: (at) => this.ask(at),
       clear: () => this.ask(null),
       gizmo: (mode) => this.useGizmo(mode),
@@ -93,7 +96,11 @@ export class App {
       () => this.described(),
     );
     this.work = new Work({
-      change: async (verb, body) => this.take(await this.session!.ask<Description>(verb, body)),
+      change: async (verb, body) => {
+        const { session } = this;
+        const description = await session!.ask<Description>(verb, body);
+        if (session === this.session) this.take(description);
+      },
       draw: (signal) => this.draw(signal, coarseSamples),
       rest: (signal) => this.rest(signal),
       failed: (error) => this.failed(error),
@@ -133,12 +140,12 @@ export class App {
   }
 
   private async opened(session: Session, description: Description): Promise<void> {
+    this.work.forget();
     this.session = session;
     sessionStorage.setItem(sessionKey, session.name);
     this.description = description;
     this.field = null;
     this.selected = null;
-    this.layout.devices.value(null);
     this.ask(null);
     this.viewing.axis = 2;
     this.viewing.at = middle(description.box);
@@ -153,7 +160,7 @@ export class App {
   /** A description that the server gave after a change. */
   private take(description: Description): void {
     this.description = description;
-    this.layout.devices.value(null);
+    this.layout.devices.stale();
     this.described();
   }
 
@@ -211,7 +218,7 @@ export class App {
     );
     this.layout.field(field, scale, level);
     this.stage.describe(words(field));
-    this.described();
+    this.stage.draw();
   }
 
   private drawRoom(): void {
@@ -266,6 +273,7 @@ export class App {
     if (!this.description) return;
     this.drawRoom();
     this.render();
+    this.described();
   }
 
   private async save(): Promise<void> {

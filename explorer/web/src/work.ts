@@ -32,6 +32,12 @@ export class Work {
     this.start();
   }
 
+  /** Nothing that waits or is worked out is of use any more. */
+  forget(): void {
+    this.waiting.clear();
+    this.abort.abort();
+  }
+
   /** Draw anew. */
   refresh(): void {
     this.stale = true;

@@ -230,3 +230,26 @@ await test('for everybody', [laboratory], async (page) => {
     await page.click('[aria-label="Dark or light"]');
   }
 });
+
+// Dissertation, section 4.1.3: one slider raises and lowers all sensors.
+await test('all of a kind', [join(scenes, '01-acoustic.yaml')], async (page) => {
+  await settled(page);
+  await page.click('[data-device=s1]');
+  await page.check('#all-of-type');
+  await box(page, 'z').fill('1.5 m');
+  await box(page, 'z').press('Enter');
+  await settled(page);
+  await box(page, 'rate').fill('100 Hz');
+  await box(page, 'rate').press('Enter');
+  await settled(page);
+  const sets = ['s1', 's2', 's3', 's4'].flatMap((s) => [
+    '--set', `devices.${s}.at.z=1.5`, '--set', `devices.${s}.rate=100 Hz`,
+  ]);
+  const { min, max } = delos('field', join(scenes, '01-acoustic.yaml'), ...sets);
+  assert.deepEqual(await range(page), [min.value, max.value]);
+  await page.keyboard.press('Escape');
+  await page.click('[aria-label="Undo (Ctrl Z)"]');
+  await page.click('[aria-label="Undo (Ctrl Z)"]');
+  await settled(page);
+  assert.deepEqual(await range(page), rangeOf(join(scenes, '01-acoustic.yaml')));
+});

@@ -42,17 +42,26 @@ export class Devices {
   }
 
   show(description: Description, selected: string | null): void {
-    const names = (d: Description | null) => d?.devices.map((x) => x.name).join('\n');
-    if (names(description) !== names(this.description)) this.worth = null;
+    const names = (d: Description | null) =>
+      d && [d.name, d.metric.name, ...d.devices.map((x) => x.name)].join('\n');
+    const others = names(description) !== names(this.description);
+    if (others) this.worth = null;
+    const unchanged = !others && selected === this.selected;
     this.description = description;
     this.selected = selected;
+    if (!unchanged) this.render();
+  }
+
+  /** What they are worth. */
+  value(worth: Worth): void {
+    this.worth = worth;
+    this.element.dataset.stale = 'false';
     this.render();
   }
 
-  /** What they are worth; null while that isn't known any more. */
-  value(worth: Worth | null): void {
-    this.worth = worth;
-    this.render();
+  /** Something has changed: what stands there is of before, until it is worked out anew. */
+  stale(): void {
+    this.element.dataset.stale = 'true';
   }
 
   private verdictOn(least: Entry[], metric: string): (Node | string)[] {

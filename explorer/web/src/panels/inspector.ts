@@ -160,18 +160,54 @@ const section = (title: string, fields: Field[]) =>
   fields.length > 0 &&
   h('section', { className: 'fields' }, h('h3', {}, title), ...fields.map((f) => f.element));
 
+const lengths: Record<string, number> = { '': 1, m: 1, cm: 1e-2, mm: 1e-3, ft: 0.3048, in: 0.0254 };
+
+/** "2.5", "25 cm" in metres; not a number where it is something else. */
+function metresOf(text: string): number {
+  const match = /^\s*([-+.\de]+)\s*([a-z]*)\s*$/i.exec(text);
+  return match ? Number(match[1]) * (lengths[match[2]!] ?? NaN) : NaN;
+}
+
+/** A change of one device, for all of its type: places move by as much, all else becomes the
+ * same. */
+function forAll(set: Setting, device: Device, devices: Device[]): Setting[] {
+  const own = `devices.${device.name}.`;
+  const axis = axes.indexOf(/^at\.([xyz])$/.exec(set.path.slice(own.length))?.[1] ?? '');
+  const way = axis < 0 ? NaN : metresOf(set.value) - device.at[axis]!;
+  return devices
+    .filter((d) => d.type === device.type)
+    .map((d) => ({
+      path: `devices.${d.name}.${set.path.slice(own.length)}`,
+      value: Number.isFinite(way) ? String(Number((d.at[axis]! + way).toFixed(6))) : set.value,
+    }));
+}
+
 export class Inspector {
   readonly element = h('div', { className: 'inspector' });
+  private readonly all = h('input', { type: 'checkbox', id: 'all-of-type' });
+  private description: Description | null = null;
+  private device: Device | null = null;
   private fields: Field[] = [];
   private shown = '';
 
   constructor(
-    private readonly change: Change,
+    private readonly changeOne: Change,
     private readonly place: Place,
   ) {}
 
+  private readonly change: Change = (settings, gesture) => {
+    const { device } = this;
+    const all = device && this.all.checked && !/\.(aim|rpy|quaternion_wxyz|coordinates)\./.test(settings[0]!.path);
+    this.changeOne(
+      all ? settings.flatMap((s) => forAll(s, device, this.description!.devices)) : settings,
+      gesture,
+    );
+  };
+
   show(description: Description, name: string | null): void {
     const device = description.devices.find((d) => d.name === name);
+    this.description = description;
+    this.device = device ?? null;
     // The same device with the same fields keeps its elements, and the focus in them.
     const key = device ? `${device.name} ${device.type} ${device.facing} ${description.name}` : '';
     if (key !== '' && key === this.shown) {
@@ -179,6 +215,7 @@ export class Inspector {
       return;
     }
     this.shown = key;
+    this.all.checked = false;
     if (!device) {
       this.fields = [];
       this.element.replaceChildren(
@@ -202,9 +239,18 @@ export class Inspector {
     this.element.replaceChildren(
       h('header', {}, h('h2', {}, device.name), h('p', { className: 'type' }, type.id)),
       h('p', { className: 'summary' }, type.summary),
+      ...this.allOf(description, device),
       section(device.mount === 'target' ? 'Place on the target' : 'Place', place) || '',
       section(headings[device.facing], facing) || '',
       section('Readings', [rate, ...params]) || '',
     );
+  }
+
+  /** One control for all of a kind. */
+  private allOf(description: Description, device: Device): HTMLElement[] {
+    const count = description.devices.filter((d) => d.type === device.type).length;
+    if (count < 2) return [];
+    const title = 'Places move by as much; rates and parameters become the same';
+    return [h('label', { className: 'all', title }, this.all, `change all ${count} of this type`)];
   }
 }

@@ -54,7 +54,7 @@ export class Report {
   /** @param scale by which the ellipsoid is enlarged; 0: there is none */
   show(report: PointReport, metric: Metric, scale: number): void {
     const { point, words } = report;
-    point.at.forEach((x, k) => (this.inputs[k]!.value = digits(x, 6)));
+    point.at.forEach((x, k) => (this.inputs[k]!.value = digits(x, 4)));
     const rows = Object.entries(point.metrics)
       // Most devices have no pixels.
       .filter(([name, m]) => name !== 'footprint' || m.value !== null)

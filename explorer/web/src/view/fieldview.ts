@@ -17,6 +17,7 @@ import { placeOf, type Field, type GridPart, type Part } from '../field';
 import type { Scale } from '../scale';
 import type { Vec3 } from '../server';
 import { isosurface } from './isosurface';
+import { paint } from './paint';
 import { discard } from './room';
 import { scatteredObject } from './scattered';
 import { applyScale, Sheet, type SheetData } from './sheet';
@@ -68,12 +69,13 @@ export class FieldView {
   readonly group = new Group();
   private field: Field | null = null;
   private readonly sheets = new Map<Object3D, Sheet>();
+  /** Sheets that were shown before: their programs stay compiled. */
+  private readonly spare: Sheet[] = [];
   private readonly scattered = new Map<Object3D, Part>();
 
   show(field: Field, options: FieldOptions, scale: Scale | null, edge: string): void {
     for (const child of [...this.group.children]) discard(child);
-    for (const sheet of this.sheets.values())
-      sheet.mesh.material.uniforms.samples!.value?.dispose();
+    this.spare.push(...this.sheets.values());
     this.sheets.clear();
     this.scattered.clear();
     this.field = field;
@@ -115,7 +117,7 @@ export class FieldView {
 
   private sheet(data: SheetData, scale: Scale | null, edge: string): void {
     const { values, mask, summary } = this.field!;
-    const sheet = new Sheet();
+    const sheet = this.spare.pop() ?? new Sheet();
     // Half a device sees nothing: counts don't blend.
     sheet.show(data, values, mask, summary.metric.name !== 'coverage');
     if (scale) applyScale(sheet.mesh.material as ShaderMaterial, scale);
@@ -129,13 +131,16 @@ export class FieldView {
     ];
     const outline = new LineLoop(
       new BufferGeometry().setFromPoints(corners),
-      new LineBasicMaterial({ color: edge }),
+      paint(`line ${edge}`, () => new LineBasicMaterial({ color: edge })),
     );
     this.group.add(sheet.mesh, outline);
   }
 
   private surface(part: GridPart, level: number, scale: Scale): void {
-    const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 0.6 });
+    const material = paint(
+      'surface',
+      () => new MeshStandardMaterial({ side: DoubleSide, roughness: 0.6 }),
+    );
     material.color.setRGB(...scale.colour(level), 'srgb');
     this.group.add(new Mesh(isosurface(this.field!, part, level), material));
   }

@@ -19,6 +19,7 @@ import {
 } from 'three';
 import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
 import type { Description, Device } from '../server';
+import { paint } from './paint';
 import { discard } from './room';
 
 export interface IconColours {
@@ -64,11 +65,11 @@ function ribs(outline: Vector3[]): Vector3[] {
 function sightOf(outline: Vector3[], selected: boolean, colours: IconColours): Group {
   const part = selected ? frustum.selected : frustum.all;
   const edge = outline.map((p) => p.clone().multiplyScalar(part));
-  const material = new LineBasicMaterial({
-    color: selected ? colours.selected : colours.sight,
-    transparent: true,
-    opacity: selected ? 0.95 : 0.5,
-  });
+  const color = selected ? colours.selected : colours.sight;
+  const material = paint(
+    `sight ${color}`,
+    () => new LineBasicMaterial({ color, transparent: true, opacity: selected ? 0.95 : 0.5 }),
+  );
   const rays = ribs(edge).flatMap((p) => [new Vector3(), p]);
   const group = new Group();
   group.add(
@@ -82,13 +83,17 @@ function sightOf(outline: Vector3[], selected: boolean, colours: IconColours): G
     group.add(
       new Mesh(
         sides,
-        new MeshBasicMaterial({
-          color: colours.selected,
-          transparent: true,
-          opacity: 0.07,
-          side: DoubleSide,
-          depthWrite: false,
-        }),
+        paint(
+          `seen ${color}`,
+          () =>
+            new MeshBasicMaterial({
+              color,
+              transparent: true,
+              opacity: 0.07,
+              side: DoubleSide,
+              depthWrite: false,
+            }),
+        ),
       ),
     );
   }
@@ -128,11 +133,11 @@ export class Icons {
       const selected = device.name === options.selected;
       const icon = new Group();
       icon.name = device.name;
-      const material = new MeshStandardMaterial({
-        color: selected ? colours.selected : colours.device,
-        roughness: 0.55,
-        side: DoubleSide,
-      });
+      const color = selected ? colours.selected : colours.device;
+      const material = paint(
+        `device ${color}`,
+        () => new MeshStandardMaterial({ color, roughness: 0.55, side: DoubleSide }),
+      );
       icon.add(bodyOf(device, placed.length > 60 ? size / 2 : size, material));
       if (device.outline!.length > 0 && (selected || (options.frusta && placed.length <= 60)))
         icon.add(sightOf(device.outline!.map((p) => new Vector3(...p)), selected, colours));

@@ -11,6 +11,7 @@ import {
   Vector3,
 } from 'three';
 import type { PointReport, Vec3 } from '../server';
+import { paint } from './paint';
 import { discard } from './room';
 
 export class Probe {
@@ -33,7 +34,10 @@ export class Probe {
     );
     const lines = new LineSegments(
       new BufferGeometry().setFromPoints(cross),
-      new LineBasicMaterial({ color: colour, depthTest: false }),
+      paint(
+        `cross ${colour}`,
+        () => new LineBasicMaterial({ color: colour, depthTest: false }),
+      ),
     );
     lines.renderOrder = 2;
     this.group.add(lines);
@@ -46,7 +50,10 @@ export class Probe {
     const scale = [5, 2, 1].find((m) => m * decade <= exact)! * decade;
     const mesh = new Mesh(
       new SphereGeometry(1, 40, 24),
-      new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.6 }),
+      paint(
+        `ellipsoid ${colour}`,
+        () => new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.6 }),
+      ),
     );
     const [a, b, c] = ellipsoid.axes.map((axis, k) =>
       new Vector3(...axis).multiplyScalar(Math.max(1e-4, scale * ellipsoid.sigma[k]!)),

@@ -18,6 +18,7 @@ import {
   Vector3,
 } from 'three';
 import type { Around, Box } from '../server';
+import { paint } from './paint';
 
 export interface RoomColours {
   lines: string;
@@ -26,12 +27,11 @@ export interface RoomColours {
   beacons: string;
 }
 
-/** Free what an object and those in it hold of the graphics card. */
+/** Free what an object and those in it hold of the graphics card, but for what they are
+ * painted with. */
 export function discard(object: Object3D): void {
   object.traverse((o) => {
-    const { geometry, material } = o as Mesh;
-    geometry?.dispose();
-    if (material) for (const m of [material].flat()) m.dispose();
+    (o as Mesh).geometry?.dispose();
     // Labels are elements of the page.
     (o as { element?: HTMLElement }).element?.remove();
   });
@@ -45,6 +45,8 @@ function floorStep(size: number): number {
   return [1, 2, 5, 10].find((m) => m * decade >= rough)! * decade;
 }
 
+const line = (color: string) => paint(`line ${color}`, () => new LineBasicMaterial({ color }));
+
 function floor(box: Box, colours: RoomColours): { lines: LineSegments; step: number } {
   const size = Math.max(box.max[0] - box.min[0], box.max[1] - box.min[1], 1e-3);
   const step = floorStep(size);
@@ -57,7 +59,7 @@ function floor(box: Box, colours: RoomColours): { lines: LineSegments; step: num
     points.push(new Vector3(x, low[1]!, z), new Vector3(x, high[1]!, z));
   for (let y = low[1]!; y <= high[1]! + step / 2; y += step)
     points.push(new Vector3(low[0]!, y, z), new Vector3(high[0]!, y, z));
-  const material = new LineBasicMaterial({ color: colours.faint });
+  const material = line(colours.faint);
   return { lines: new LineSegments(new BufferGeometry().setFromPoints(points), material), step };
 }
 
@@ -73,23 +75,27 @@ function body(entry: Around['occluders'][number], colours: RoomColours): Object3
     group.add(
       new Mesh(
         shell,
-        new MeshLambertMaterial({
-          color: colours.bodies,
-          side: DoubleSide,
-          transparent: true,
-          opacity: 0.55,
-          depthWrite: false,
-          // Samples on its skin show their own colours.
-          polygonOffset: true,
-          polygonOffsetFactor: 4,
-          polygonOffsetUnits: 4,
-        }),
+        paint(
+          `body ${colours.bodies}`,
+          () =>
+            new MeshLambertMaterial({
+              color: colours.bodies,
+              side: DoubleSide,
+              transparent: true,
+              opacity: 0.55,
+              depthWrite: false,
+              // Samples on its skin show their own colours.
+              polygonOffset: true,
+              polygonOffsetFactor: 4,
+              polygonOffsetUnits: 4,
+            }),
+        ),
       ),
     );
   group.add(
     new LineSegments(
       new EdgesGeometry(geometry, 30),
-      new LineBasicMaterial({ color: colours.lines, transparent: true, opacity: 0.7 }),
+      line(colours.lines),
     ),
   );
   return group;
@@ -114,7 +120,10 @@ export class Room {
       this.group.add(
         new Points(
           new BufferGeometry().setFromPoints(around.beacons.map((p) => new Vector3(...p))),
-          new PointsMaterial({ color: colours.beacons, size: 3, sizeAttenuation: false }),
+          paint(
+            `beacons ${colours.beacons}`,
+            () => new PointsMaterial({ color: colours.beacons, size: 3, sizeAttenuation: false }),
+          ),
         ),
       );
   }

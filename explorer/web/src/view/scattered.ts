@@ -11,6 +11,7 @@ import {
 } from 'three';
 import { Drawn, type Field, type PointsPart, type SurfacePart } from '../field';
 import { scaleShader } from '../scale';
+import { paint } from './paint';
 import { scaleUniforms } from './sheet';
 
 const vertexShader = /* glsl */ `
@@ -84,13 +85,17 @@ export function scatteredObject(
   points: number,
 ): Object3D & { material: ShaderMaterial; geometry: BufferGeometry } {
   const surface = part.kind === 'surface';
-  const material = new ShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader,
-    fragmentShader: surface ? surfaceShader : pointShader,
-    side: DoubleSide,
-    uniforms: { ...scaleUniforms(), size: { value: points } },
-  });
+  const material = paint(
+    `samples ${part.kind} ${points}`,
+    () =>
+      new ShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader: surface ? surfaceShader : pointShader,
+        side: DoubleSide,
+        uniforms: { ...scaleUniforms(), size: { value: points } },
+      }),
+  );
   const geometry = geometryOf(field, part);
   return surface ? new Mesh(geometry, material) : new Points(geometry, material);
 }
