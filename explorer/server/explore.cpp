@@ -4,6 +4,8 @@
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
 #include <csignal>
 #include <memory>
 #include <system_error>
@@ -18,6 +20,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 
 constexpr int kMostConnections = 128;
+constexpr std::chrono::milliseconds kPause{100};
 
 /// Counts connections while they live.
 class Counted {
@@ -46,7 +49,11 @@ asio::awaitable<void> listen(tcp::acceptor& acceptor, Api& api, int& connections
     boost::system::error_code error;
     tcp::socket socket = co_await acceptor.async_accept(
         asio::redirect_error(asio::use_awaitable, error));
-    if (error) continue;
+    if (error) {  // of descriptors there may be more in a while
+      asio::steady_timer pause(acceptor.get_executor(), kPause);
+      co_await pause.async_wait(asio::use_awaitable);
+      continue;
+    }
     co_spawn(acceptor.get_executor(),
              serve_counted(std::move(socket), api, port, connections), asio::detached);
   }

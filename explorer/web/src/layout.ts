@@ -239,8 +239,9 @@ export class Layout {
       const typing =
         (target instanceof HTMLInputElement && target.type === 'text') ||
         target instanceof HTMLSelectElement;
+      const edited = target instanceof HTMLInputElement && typing && target.value !== target.defaultValue;
       if (!on.ready() || document.querySelector('dialog[open]')) return;
-      if ((event.ctrlKey || event.metaKey) && !typing && (key === 'z' || key === 'y')) {
+      if ((event.ctrlKey || event.metaKey) && !edited && (key === 'z' || key === 'y')) {
         event.preventDefault();
         if (key === 'y' || event.shiftKey) this.actions.redo();
         else this.actions.undo();

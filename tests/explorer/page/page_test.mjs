@@ -167,8 +167,18 @@ await test('numbers that are typed, and refused', [laboratory], async (page) => 
   await page.keyboard.press('Tab');
   assert.equal(await box(page, 'focal').inputValue(), '12 mm', 'it stays as it was');
 
+  const revision = () => page.getAttribute('#numbers', 'data-revision');
+  await box(page, 'focal').pressSequentially('34');
   await box(page, 'focal').press('Control+z');
-  assert.equal(await page.getAttribute('#numbers', 'data-revision'), '1', 'a text box keeps its keys');
+  await page.keyboard.type('grxyz7');
+  assert.equal(await revision(), '1', 'while one types, keys are for the text');
+  await page.keyboard.press('Escape');
+  assert.equal(await box(page, 'focal').inputValue(), '12 mm');
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.equal(await box(page, 'focal').inputValue(), '6.8 mm', 'else they undo');
+  await page.keyboard.press('Control+y');
+  await settled(page);
 
   await page.selectOption('#metric', 'coverage');
   await settled(page);

@@ -71,7 +71,7 @@ export class NumberField {
       autocomplete: 'off',
       onchange: () => this.type(),
       onkeydown: (event: KeyboardEvent) => {
-        if (event.key === 'Escape') this.show();
+        if (event.key === 'Escape') this.reset();
       },
     });
     this.element = h(
@@ -101,11 +101,15 @@ export class NumberField {
     // A hand on the slider is ahead of what the server knows.
     if (this.gesture === '') this.slider.value = String(Math.round(steps * part));
     // What is being typed stays; what was sent has its answer now.
-    if (document.activeElement !== this.box || this.box.value.trim() === this.sent) {
-      this.box.value = this.shown();
-      this.sent = '';
-    }
+    const { box } = this;
+    const typing = document.activeElement === box && box.value !== box.defaultValue;
+    if (!typing || box.value.trim() === this.sent) this.reset();
     this.slider.setAttribute('aria-valuetext', quantity(this.value, this.spec.unit, 4));
+  }
+
+  private reset(): void {
+    this.sent = '';
+    this.box.value = this.box.defaultValue = this.shown();
   }
 
   private slide(): void {
@@ -116,13 +120,13 @@ export class NumberField {
     // Four digits are as fine as the slider is.
     const value = Math.min(high, Math.max(low, Number(exact.toPrecision(4))));
     this.value = value;
-    this.box.value = this.shown();
+    this.reset();
     this.spec.set(String(value), this.gesture);
   }
 
   private type(): void {
     const text = this.box.value.trim();
-    if (text === '') this.box.value = this.shown();
+    if (text === '') this.reset();
     else {
       this.sent = text;
       this.spec.set(text, '');
