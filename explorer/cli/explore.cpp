@@ -39,11 +39,13 @@ void check_scene(const std::filesystem::path& file, PluginRegistry& plugins) {
 int run(const ExploreCommand& command) {
   PluginRegistry plugins(plugin_folders(command.plugin_dirs));
   check_scene(command.options.scene, plugins);
+  const Interrupt interrupt;
+  const auto listening = [&](const std::string& address) {
+    std::cout << "The explorer is at " << address << "\nCtrl-C ends it." << std::endl;
+    if (!command.no_open) show_in_browser(address);
+  };
   try {
-    server::explore(command.options, plugins, [&](const std::string& address) {
-      std::cout << "The explorer is at " << address << "\nCtrl-C ends it." << std::endl;
-      if (!command.no_open) show_in_browser(address);
-    });
+    server::explore(command.options, plugins, interrupt.requested(), listening);
   } catch (const std::system_error& error) {
     throw Failure{kUsage, error.what()};
   }

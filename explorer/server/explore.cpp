@@ -3,10 +3,8 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -59,6 +57,16 @@ asio::awaitable<void> listen(tcp::acceptor& acceptor, Api& api, int& connections
   }
 }
 
+/// End all when asked to.
+asio::awaitable<void> watch(asio::io_context& io, const std::atomic<bool>& stop) {
+  asio::steady_timer pause(io);
+  while (!stop) {
+    pause.expires_after(kPause);
+    co_await pause.async_wait(asio::use_awaitable);
+  }
+  io.stop();
+}
+
 /// @throws std::system_error
 void bind(tcp::acceptor& acceptor, unsigned short port) {
   try {
@@ -75,14 +83,14 @@ void bind(tcp::acceptor& acceptor, unsigned short port) {
 }  // namespace
 
 void explore(const ExploreOptions& options, PluginRegistry& plugins,
+             const std::atomic<bool>& stop,
              const std::function<void(const std::string& address)>& listening) {
   Api api(options.scene, plugins, options.threads);
   int connections = 0;
   asio::io_context io(1);
   tcp::acceptor acceptor(io);
   bind(acceptor, options.port);
-  asio::signal_set signals(io, SIGINT, SIGTERM, SIGHUP);
-  signals.async_wait([&](const auto&, int) { io.stop(); });
+  co_spawn(io, watch(io, stop), asio::detached);
   co_spawn(io, listen(acceptor, api, connections), asio::detached);
   listening("http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port()) +
             "/");
