@@ -5,7 +5,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <memory>
+#include <string>
 #include <system_error>
 #include <utility>
 
