@@ -8,18 +8,6 @@
 namespace delos::session {
 namespace {
 
-/// Rows and columns of states that reach into a lost direction have no finite
-/// covariance.
-StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
-  if (unobservable.cols() == 0) return P;
-  for (Eigen::Index i = 0; i < unobservable.rows(); ++i) {
-    if (unobservable.row(i).cwiseAbs().maxCoeff() < 1e-9) continue;
-    P.row(i).setConstant(std::numeric_limits<double>::infinity());
-    P.col(i).setConstant(std::numeric_limits<double>::infinity());
-  }
-  return P;
-}
-
 /// What one more device would do; null: none of those tried would.
 Json mending_json(const Mending& mending, const Metric& metric) {
   if (!mending.best) return {};
@@ -41,6 +29,16 @@ PointAnswer answer_point(const LoadedScene& loaded, const Eigen::Vector3d& at,
       mend_by_one_device(loaded.system, answer.report, rpy, loaded.metric, solver);
   answer.sightings = seen_beacons(loaded.system, answer.report.pose);
   return answer;
+}
+
+StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
+  if (unobservable.cols() == 0) return P;
+  for (Eigen::Index i = 0; i < unobservable.rows(); ++i) {
+    if (unobservable.row(i).cwiseAbs().maxCoeff() < 1e-9) continue;
+    P.row(i).setConstant(std::numeric_limits<double>::infinity());
+    P.col(i).setConstant(std::numeric_limits<double>::infinity());
+  }
+  return P;
 }
 
 std::vector<std::string> lost_words(const PointAnswer& answer,

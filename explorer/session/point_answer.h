@@ -27,6 +27,12 @@ struct PointAnswer {
                                        const Eigen::Vector3d& at,
                                        const Eigen::Vector3d& rpy, Solver solver);
 
+/// A covariance with infinite rows and columns of states that reach into a lost
+/// direction, which have no finite one.
+/// @param unobservable n×m, a column a direction
+[[nodiscard]] StateMatrix with_infinities(StateMatrix P,
+                                          const StateMatrix& unobservable);
+
 /// What is lost there, why, and what would mend it: a line each.
 [[nodiscard]] std::vector<std::string> lost_words(const PointAnswer& answer,
                                                   const LoadedScene& loaded);

@@ -60,7 +60,7 @@ async function save(page, name) {
 }
 
 /** The text box of a parameter of the chosen device. */
-const box = (page, label) => page.getByLabel(label, { exact: true });
+const box = (page, label) => page.getByLabel(label, { exact: true }).first();
 const slider = (page, label) => page.locator(`input[type=range][aria-label^="${label}, "]`);
 
 /** Drag by the hand: press on the element, move, let go. */
@@ -149,6 +149,39 @@ await test('a camera in the hand', [laboratory], async (page) => {
   assert.ok(await page.isDisabled('[aria-label="Undo (Ctrl Z)"]'), 'one drag, one step');
   const back = await page.locator('.tag.selected').boundingBox();
   assert.ok(Math.abs(back.y - tag.y) < 1, 'the icon and its gizmo go back, too');
+});
+
+// About the eye's own axis, which in a view from above is nearly the room's upright one.
+await test('a camera that turns', [laboratory], async (page) => {
+  await settled(page);
+  await page.click('[data-device=c104334]');
+  await page.click('text=top');
+  await page.keyboard.press('r');
+  const angle = async (name) => Number((await box(page, name).inputValue()).replace(' deg', ''));
+  const before = await Promise.all(['roll', 'pitch', 'yaw'].map(angle));
+  const z = await box(page, 'z').inputValue();
+  const tag = await page.locator('.tag.selected').boundingBox();
+  const icon = { x: tag.x + tag.width / 2, y: tag.y + tag.height / 2 + 24 };
+  const ring = 100; // pixels: the gizmo is as large in every view
+  const around = (degrees) => [
+    icon.x - ring * Math.cos((degrees * Math.PI) / 180),
+    icon.y - ring * Math.sin((degrees * Math.PI) / 180),
+  ];
+  await page.mouse.move(...around(0));
+  await page.mouse.down();
+  for (let degrees = 3; degrees <= 30; degrees += 3) await page.mouse.move(...around(degrees));
+  await picture(page, 'turned');
+  await page.mouse.up();
+  await settled(page);
+  const after = await Promise.all(['roll', 'pitch', 'yaw'].map(angle));
+  assert.ok(Math.abs(after[2] - before[2]) > 10, `the yaw turns: ${before} to ${after}`);
+  assert.ok(Math.abs(after[0] - before[0]) < 5, `the roll stays: ${before} to ${after}`);
+  assert.equal(await box(page, 'z').inputValue(), z, 'it stands where it stood');
+  assert.deepEqual(await range(page), rangeOf(await save(page, 'turned.yaml')));
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.deepEqual(await Promise.all(['roll', 'pitch', 'yaw'].map(angle)), before);
+  assert.deepEqual(await range(page), rangeOf(laboratory));
 });
 
 await test('numbers that are typed, and refused', [laboratory], async (page) => {

@@ -158,7 +158,7 @@ function facingFields(device: Device, room: Box, change: Change, place: Place): 
 
 const section = (title: string, fields: Field[]) =>
   fields.length > 0 &&
-  h('section', { className: 'fields' }, h('h3', {}, title), ...fields.map((f) => f.element));
+  h('section', { className: 'fields', 'aria-label': title }, h('h3', {}, title), ...fields.map((f) => f.element));
 
 const lengths: Record<string, number> = { '': 1, m: 1, cm: 1e-2, mm: 1e-3, ft: 0.3048, in: 0.0254 };
 
