@@ -126,7 +126,6 @@ asio::awaitable<Reply> Api::ask(std::string name, Json request) {
 
 void Api::stop() {
   visitors_.stop_all();
-  pool_.stop();
   pool_.join();
 }
 

@@ -38,7 +38,7 @@ class Api {
   boost::asio::awaitable<Reply> answer(std::string verb, std::string body);
   [[nodiscard]] Reply scenes() const;
 
-  /// Stop all work and wait for its end.
+  /// Stop all work and wait for its end; whoever waits for it must still be there.
   void stop();
 
  private:
@@ -49,8 +49,8 @@ class Api {
   int threads_;
   std::vector<session::ShippedScene> scenes_;
   bool given_;  ///< the first of them was asked for
+  boost::asio::thread_pool pool_;  // outlives the strands of visitors
   Visitors visitors_;
-  boost::asio::thread_pool pool_;
 };
 
 }  // namespace delos::server

@@ -1,5 +1,6 @@
 // The explorer: what is open, what is chosen, and how a change reaches the picture.
 import { unpack, type Field } from './field';
+import { newGesture } from './gesture';
 import { Gizmo } from './gizmo';
 import { Layout } from './layout';
 import { counted, quantity } from './quantity';
@@ -74,8 +75,8 @@ export class App {
       change: (set, gesture) =>
         this.work.change(set.map((s) => s.path).join(), 'change', { set, gesture }),
       place: (change, gesture) => this.place(change, gesture),
-      undo: () => this.work.change('undo', 'undo', {}),
-      redo: () => this.work.change('redo', 'redo', {}),
+      undo: () => this.step('undo'),
+      redo: () => this.step('redo'),
       save: () => void this.save(),
       toggleTheme: () => this.toggleTheme(),
       viewed: () => {
@@ -253,6 +254,11 @@ export class App {
         this.layout.report.show(this.report, this.description.metric, this.enlarged);
     }
     this.stage.draw();
+  }
+
+  /** Each press is a step: none takes another's place. */
+  private step(verb: 'undo' | 'redo'): void {
+    if (this.session) this.work.change(newGesture(), verb, {});
   }
 
   private place(change: { p?: number[]; q?: number[] }, gesture: string): void {

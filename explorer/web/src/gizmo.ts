@@ -1,9 +1,8 @@
 // A device in the hand: dragged and turned in the picture.
 import { Object3D, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { newGesture } from './gesture';
 import type { Stage } from './view/stage';
-
-let drags = 0;
 
 /** @param p world, metres; @param q unit quaternion (w, x, y, z), device to world */
 export type Place = (change: { p?: number[]; q?: number[] }, gesture: string) => void;
@@ -23,7 +22,7 @@ export class Gizmo {
     this.controls.addEventListener('change', () => stage.draw());
     this.controls.addEventListener('dragging-changed', ({ value }) => {
       stage.orbit.enabled = !value;
-      this.gesture = value ? `drag ${++drags}` : '';
+      this.gesture = value ? newGesture() : '';
       if (!value) ended();
     });
     this.controls.addEventListener('objectChange', () => {

@@ -1,5 +1,6 @@
 // A number as a slider and a text box.
 import { h } from '../dom';
+import { newGesture } from '../gesture';
 import { displayUnit, quantity, typed, type DisplayUnit } from '../quantity';
 
 export interface NumberSpec {
@@ -15,7 +16,6 @@ export interface NumberSpec {
   set: (text: string, gesture: string) => void;
 }
 
-let gestures = 0;
 let ids = 0;
 const steps = 1000;
 
@@ -113,7 +113,7 @@ export class NumberField {
   }
 
   private slide(): void {
-    if (this.gesture === '') this.gesture = `slide ${++gestures}`;
+    if (this.gesture === '') this.gesture = newGesture();
     const { low, high, log } = this.range;
     const part = Number(this.slider.value) / steps;
     const exact = log ? low * (high / low) ** part : low + part * (high - low);
