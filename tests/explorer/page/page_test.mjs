@@ -222,9 +222,10 @@ await test('numbers that are typed, and refused', [laboratory], async (page) => 
 
 await test('other kinds of rooms', [], async (page) => {
   const open = async (scene) => {
-    if ((await page.title()) !== 'Delos') await page.click('#scene');  // else it asks by itself
+    const before = await page.title();
+    if (before !== 'Delos') await page.click('#scene'); // else it asks by itself
     await page.click(`[data-scene="${scene}"]`);
-    await page.waitForFunction((n) => document.title !== n, await page.title());
+    await page.waitForFunction((n) => document.title !== n, before);
     await settled(page);
   };
   await open('01-acoustic');

@@ -52,8 +52,8 @@ function floor(box: Box, colours: RoomColours): { lines: LineSegments; step: num
   const step = floorStep(size);
   const low = [0, 1].map((k) => Math.floor(box.min[k]! / step) * step);
   const high = [0, 1].map((k) => Math.ceil(box.max[k]! / step) * step);
-  // A hair below the lowest samples, which would flicker with it.
-  const z = box.min[2] - size / 1000;
+  // A little below the lowest samples, which would flicker with it.
+  const z = box.min[2] - size / 100;
   const points: Vector3[] = [];
   for (let x = low[0]!; x <= high[0]! + step / 2; x += step)
     points.push(new Vector3(x, low[1]!, z), new Vector3(x, high[1]!, z));
