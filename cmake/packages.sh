@@ -8,5 +8,8 @@ packages_to_build=(
 )
 packages_to_check=(
   libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev libglpk-dev
+  chromium
 )
+# What tests the explorer's page; any Node.js from 18 on will do. Users need none.
+command -v npm >/dev/null || packages_to_check+=(nodejs npm)
 packages_to_tidy=(clang-tidy)

@@ -3,7 +3,6 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "delos/scene/definition.h"
 #include "delos/text/units.h"
 #include "progress.h"
 
@@ -64,15 +63,7 @@ std::optional<LoadedScene> load(const std::filesystem::path& file,
     read_now = mesh;
     reading->update(static_cast<std::size_t>(1000 * part), 1000);
   };
-  const std::optional<Scene> scene =
-      load_scene(file, overrides_of(options), plugins, diagnostics, progress);
-  reading.reset();
-  if (!scene) return std::nullopt;
-
-  const auto metric = parse_metric(scene->metric, known_metrics(*scene));
-  LoadedScene loaded{*scene, build_system(*scene, plugins), std::get<Metric>(metric)};
-  if (loaded.scene.name.empty()) loaded.scene.name = file.stem().string();
-  return loaded;
+  return session::load(file, overrides_of(options), plugins, diagnostics, progress);
 }
 
 LoadedScene load(const std::filesystem::path& file, const SceneOptions& options,

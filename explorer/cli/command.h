@@ -10,10 +10,9 @@
 
 #include "delos/field/evaluate.h"
 #include "delos/plugin/registry.h"
-#include "delos/rig/system.h"
-#include "delos/scene/io.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "session/loaded_scene.h"
 
 namespace delos::cli {
 
@@ -42,12 +41,7 @@ struct SceneOptions {
 };
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-/// A scene ready to be evaluated.
-struct LoadedScene {
-  Scene scene;
-  System system;
-  Metric metric;
-};
+using session::LoadedScene;
 
 /// Load, override and build; findings are appended, warnings too.
 /// @returns nullopt where one of them is an error
@@ -100,5 +94,6 @@ void add_select_command(CLI::App& program, int& exit_code);
 void add_tradeoff_command(CLI::App& program, int& exit_code);
 void add_report_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
+void add_explore_command(CLI::App& program, int& exit_code);
 
 }  // namespace delos::cli

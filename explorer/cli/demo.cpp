@@ -10,25 +10,13 @@
 #include "command.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
+#include "session/shipped_scenes.h"
 #include "summary.h"
 
 namespace delos::cli {
 namespace {
 
 constexpr const char* kScene = "05-optitrack-lab.yaml";
-
-/// The scenes of an installation, or of the source tree that the program was built in.
-std::filesystem::path scenes_folder() {
-  const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe");
-  const std::filesystem::path prefix = program.parent_path().parent_path();
-  for (const auto& folder :
-       {prefix / "share/delos/scenes", prefix.parent_path().parent_path() / "scenes"}) {
-    if (std::filesystem::exists(folder / kScene)) return folder;
-  }
-  throw Failure{kInternal, "the demonstration scene " + std::string(kScene) +
-                               " is missing from " +
-                               (prefix / "share/delos/scenes").string()};
-}
 
 int terminal_columns() {
   winsize size{};
@@ -39,7 +27,7 @@ int terminal_columns() {
 
 int run(const SceneOptions& options, const std::filesystem::path& out) {
   const std::filesystem::path file =
-      std::filesystem::proximate(scenes_folder() / kScene);
+      std::filesystem::proximate(session::scenes_folder() / kScene);
   PluginRegistry plugins(plugin_folders(options.plugin_dirs));
   const LoadedScene loaded = load(file, options, plugins);
   const Samples samples = make_samples(loaded.scene.samples);

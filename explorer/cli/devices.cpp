@@ -5,30 +5,20 @@
 #include "command.h"
 #include "delos/text/units.h"
 #include "json.h"
+#include "session/parameter_table.h"
 #include "summary.h"
 
 namespace delos::cli {
 namespace {
+
+using session::parameter_table;
+using session::word;
 
 struct DevicesCommand {
   std::string id;
   std::vector<std::filesystem::path> plugin_dirs;
   bool json = false, markdown = false;
 };
-
-const char* word(ParamKind kind) {
-  switch (kind) {
-    case ParamKind::number:
-      return "number";
-    case ParamKind::choice:
-      return "choice";
-    case ParamKind::vector:
-      return "vector";
-    case ParamKind::matrix:
-      return "matrix";
-  }
-  return "";
-}
 
 std::string default_of(const ParamSpec& p) {
   if (p.kind == ParamKind::number) {
@@ -44,27 +34,6 @@ std::string range_of(const ParamSpec& p) {
   if (lower) return "≥ " + shortest(p.lower);
   if (upper) return "≤ " + shortest(p.upper);
   return "any";
-}
-
-Json to_json(const PluginInfo& info) {
-  Json json{{"id", info.id}, {"version", info.version}, {"summary", info.summary}};
-  json["params"] = Json::array();
-  for (std::uint32_t i = 0; i < info.n_params; ++i) {
-    const ParamSpec& p = info.params[i];
-    Json row{{"name", p.name}, {"kind", word(p.kind)}, {"unit", p.unit}};
-    if (p.kind == ParamKind::number) {
-      row["default"] = number(p.initial);
-      row["scale"] = p.scale == ParamScale::log ? "log" : "linear";
-    } else {
-      row["default"] = p.text ? Json(p.text) : Json();
-    }
-    if (p.kind == ParamKind::choice) row["choices"] = p.choices;
-    row["lower"] = number(p.lower);
-    row["upper"] = number(p.upper);
-    row["help"] = p.help;
-    json["params"].push_back(row);
-  }
-  return json;
 }
 
 /// '|' would end a cell.
@@ -102,7 +71,7 @@ int show_one(const DevicesCommand& command, PluginRegistry& plugins) {
   const PluginLoad& load = plugins.find(command.id);
   if (!load.info) throw Failure{kDiagnostics, load.error};
   if (command.json) {
-    print_document(to_json(*load.info));
+    print_document(parameter_table(*load.info));
   } else if (command.markdown) {
     print_markdown(*load.info);
   } else {
@@ -119,7 +88,7 @@ int show_all(const DevicesCommand& command, PluginRegistry& plugins) {
       std::cerr << load.error << "\n";
       exit_code = kDiagnostics;
     } else if (command.json) {
-      json.push_back(to_json(*load.info));
+      json.push_back(parameter_table(*load.info));
     } else if (command.markdown) {
       print_markdown(*load.info);
       std::cout << "\n";

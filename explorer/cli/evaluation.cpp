@@ -9,12 +9,7 @@
 namespace delos::cli {
 namespace {
 
-/// The adaptive set of a scene, or null.
-const AdaptiveSampling* adaptive(const Scene& scene) {
-  return scene.samples.size() == 1
-             ? std::get_if<AdaptiveSampling>(&scene.samples.front().shape)
-             : nullptr;
-}
+using session::adaptive_sampling;
 
 bool is_picture(const std::filesystem::path& file) {
   const std::string suffix = file.extension().string();
@@ -46,7 +41,7 @@ double slice_height(const Field& field, const AdaptiveSampling& box,
 }  // namespace
 
 Samples planned_samples(const Scene& scene) {
-  if (!adaptive(scene)) return make_samples(scene.samples);
+  if (!adaptive_sampling(scene)) return make_samples(scene.samples);
   Samples samples;
   samples.parts.push_back({"", 0, 0, OctreeShape{}});
   return samples;
@@ -54,7 +49,7 @@ Samples planned_samples(const Scene& scene) {
 
 std::string missed_by_slice(const Scene& scene, const Samples& samples, double z) {
   double least = kInfinity, greatest = -kInfinity;
-  if (const AdaptiveSampling* box = adaptive(scene)) {
+  if (const AdaptiveSampling* box = adaptive_sampling(scene)) {
     least = box->min.z();
     greatest = box->max.z();
   }
@@ -69,7 +64,7 @@ std::string missed_by_slice(const Scene& scene, const Samples& samples, double z
 }
 
 std::vector<Samples> level_planes(const Scene& scene) {
-  const AdaptiveSampling* box = adaptive(scene);
+  const AdaptiveSampling* box = adaptive_sampling(scene);
   if (!box) return {};
   std::vector<Samples> planes;  // at whole millimetres
   for (const double at : {1 / 6.0, 3 / 6.0, 5 / 6.0})
@@ -85,28 +80,16 @@ bool is_scene(const std::filesystem::path& file) {
 
 std::string drawable(const Scene& scene, const Samples& samples,
                      const std::filesystem::path& file) {
-  const AdaptiveSampling* box = adaptive(scene);
+  const AdaptiveSampling* box = adaptive_sampling(scene);
   return box && is_picture(file) ? writable(level_plane(*box, box->min.z()), file)
                                  : writable(samples, file);
 }
 
 Evaluation evaluate_scene(const LoadedScene& loaded, const SceneOptions& options,
                           const Interrupt& interrupt) {
-  const AdaptiveSampling* sampling = adaptive(loaded.scene);
-  if (!sampling) {
-    return {evaluate(loaded, make_samples(loaded.scene.samples), options, interrupt),
-            nullptr};
-  }
   Progress progress(loaded.scene.name);
-  AdaptiveOptions adaptive_options;
-  adaptive_options.field = field_options(options, interrupt, progress);
   try {
-    auto octree = std::make_shared<const AdaptiveField>(
-        evaluate_adaptive(loaded.system, *sampling, loaded.scene.orientations,
-                          loaded.metric, adaptive_options));
-    Evaluation evaluation{octree->field(), octree};
-    evaluation.field.scene = loaded.scene.name;
-    return evaluation;
+    return session::evaluate_scene(loaded, field_options(options, interrupt, progress));
   } catch (const std::invalid_argument& error) {
     throw unsolvable(options, error);
   }
@@ -114,7 +97,7 @@ Evaluation evaluate_scene(const LoadedScene& loaded, const SceneOptions& options
 
 Field picture_field(const Evaluation& evaluation, const Scene& scene,
                     const PictureOptions& picture) {
-  const AdaptiveSampling* box = adaptive(scene);
+  const AdaptiveSampling* box = adaptive_sampling(scene);
   if (!box || !evaluation.octree) return evaluation.field;
   Field slice = evaluation.octree->read(
       level_plane(*box, slice_height(evaluation.field, *box, picture)),

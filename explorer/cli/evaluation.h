@@ -1,19 +1,13 @@
 // A scene's field, however it is sampled.
 #pragma once
 
-#include <memory>
-
 #include "command.h"
-#include "delos/field/adaptive.h"
 #include "delos/output/write.h"
+#include "session/scene_field.h"
 
 namespace delos::cli {
 
-/// A field, and the octree behind it where its samples are adaptive.
-struct Evaluation {
-  Field field;
-  std::shared_ptr<const AdaptiveField> octree;  ///< null where they aren't
-};
+using session::Evaluation;
 
 /// The samples that a scene will have; of adaptive ones, an octree without nodes.
 [[nodiscard]] Samples planned_samples(const Scene& scene);

@@ -5,7 +5,6 @@
 
 #include "command.h"
 #include "delos/field/verify.h"
-#include "delos/model/metric_expression.h"
 #include "delos/output/write.h"
 #include "delos/sampling/samples.h"
 #include "delos/text/format.h"
@@ -113,12 +112,7 @@ int run(const FieldCommand& command) {
   const std::vector<MetSpec> met =
       met_specs(specs, loaded, field, command.options, interrupt);
   if (command.options.json) {
-    Json json = Json::parse(field_json(field));
-    if (loaded.metric.expression)
-      json["metric"]["expression"] = loaded.metric.expression->formula.text;
-    for (const ClutterEntry& c : loaded.scene.clutter)
-      json["clutter"].push_back(
-          {{"name", c.name}, {"count", c.count}, {"seed", c.seed}});
+    Json json = session::field_answer(loaded, field);
     if (!warnings.empty()) json["warnings"] = diagnostics_json(warnings);
     if (!met.empty()) json["specs"] = specs_json(met);
     if (command.verify) json["verification"] = to_json(verification);

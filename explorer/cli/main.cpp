@@ -35,6 +35,8 @@ int run(int argc, char** argv) {
       "Examples:\n"
       "  delos demo                                   a real laboratory, with a "
       "picture\n"
+      "  delos explore                                the same in the browser: drag a "
+      "camera\n"
       "  delos field scenes/01-acoustic.yaml          the field and its statistics\n"
       "  delos point scenes/01-acoustic.yaml --at 0.2,0.2,0.4\n"
       "  delos optimize scenes/09-camera-room.yaml    better places for its cameras\n"
@@ -56,6 +58,7 @@ int run(int argc, char** argv) {
   add_tradeoff_command(program, exit_code);
   add_report_command(program, exit_code);
   add_demo_command(program, exit_code);
+  add_explore_command(program, exit_code);
   try {
     program.parse(argc, argv);
     return ended(exit_code);

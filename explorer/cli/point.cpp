@@ -1,13 +1,10 @@
 // delos point: everything about one point.
-#include "delos/field/point.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "command.h"
@@ -15,92 +12,22 @@
 #include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "json.h"
-#include "lost_directions.h"
-#include "one_more_device.h"
+#include "session/point_answer.h"
 #include "summary.h"
 
 namespace delos::cli {
 namespace {
+
+using session::answer_point;
+using session::lost_words;
+using session::point_json;
+using session::PointAnswer;
 
 struct PointCommand {
   SceneOptions options;
   std::filesystem::path scene;
   std::string at, rpy = "0,0,0";
 };
-
-/// Rows and columns of states that reach into a lost direction have no finite
-/// covariance.
-StateMatrix with_infinities(StateMatrix P, const StateMatrix& unobservable) {
-  if (unobservable.cols() == 0) return P;
-  for (Eigen::Index i = 0; i < unobservable.rows(); ++i) {
-    if (unobservable.row(i).cwiseAbs().maxCoeff() < 1e-9) continue;
-    P.row(i).setConstant(std::numeric_limits<double>::infinity());
-    P.col(i).setConstant(std::numeric_limits<double>::infinity());
-  }
-  return P;
-}
-
-/// What one more device would do; null: none of those tried would.
-Json to_json(const Mending& mending, const Metric& metric) {
-  if (!mending.best) return {};
-  return {{"like", mending.best->like},           {"type", mending.best->type},
-          {"at", numbers(mending.best->at)},      {"metric", metric.name},
-          {"value", number(mending.best->value)}, {"unit", metric.unit}};
-}
-
-Json to_json(const PointReport& report, const std::optional<Mending>& mending,
-             const LoadedScene& loaded, const Eigen::Vector3d& rpy) {
-  const FusedState& state = report.state;
-  const auto covariance = [&](const StateMatrix& P) {
-    return rows(with_infinities(P, state.unobservable));
-  };
-  Json json;
-  json["scene"] = loaded.scene.name;
-  json["at"] = numbers(report.pose.p);
-  json["rpy"] = numbers(rpy);
-  json["fusion"] = to_string(loaded.system.fusion);
-  json["solver"] = to_string(report.solver);
-  json["covariance_of"] = to_string(state.of);
-  json["state"] = loaded.system.motion.layout.names();
-  json["units"] = loaded.system.motion.layout.units();
-  json["inside"] = report.inside;
-  json["observable"] = state.status == RiccatiStatus::converged;
-  json["unobservable_directions"] = rows(state.unobservable.transpose());
-  if (mending) json["one_more_device"] = to_json(*mending, loaded.metric);
-  json["metrics"] = Json::object();
-  for (const MetricValue& m : report.metrics) {
-    json["metrics"][m.metric.name] = {{"value", number(m.value)},
-                                      {"unit", m.metric.unit}};
-  }
-  // Before a single reading nothing is known.
-  json["P_prior"] = loaded.system.covariance == CovarianceKind::single
-                        ? Json()
-                        : covariance(state.prior);
-  json["P_posterior"] = covariance(state.posterior);
-  if (state.worst_prior.size() > 0) {
-    json["P_worst_prior"] = covariance(state.worst_prior);
-    json["P_best_posterior"] = covariance(state.best_posterior);
-  }
-  json["residual"] = number(report.residual);
-  json["devices"] = Json::array();
-  for (const DeviceShare& d : report.devices) {
-    json["devices"].push_back({{"name", d.name},
-                               {"type", d.type},
-                               {"visible", d.visible},
-                               {"share", number(d.share)}});
-  }
-  const std::vector<SeenBeacon> seen = seen_beacons(loaded.system, report.pose);
-  if (seen.empty()) return json;
-  json["sightings"] = Json::array();
-  for (const SeenBeacon& s : seen) {
-    json["sightings"].push_back({{"device", s.device},
-                                 {"view", s.view},
-                                 {"beacon", numbers(s.at)},
-                                 {"distance", number(s.distance)},
-                                 {"share", number(s.share)}});
-  }
-  return json;
-}
 
 /// What devices on the target see, a line for each view that sees anything.
 void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
@@ -131,7 +58,7 @@ void print_extra_states(std::ostream& out, const FusedState& state,
   const StateLayout& layout = system.motion.layout;
   const std::vector<std::string> names = layout.names(), units = layout.units();
   const StateMatrix P =
-      with_infinities(state.covariance(system.covariance), state.unobservable);
+      session::with_infinities(state.covariance(system.covariance), state.unobservable);
   for (auto i = static_cast<std::size_t>(layout.size()) - layout.extra.size();
        i < names.size(); ++i) {
     const double variance =
@@ -167,8 +94,8 @@ void print_shares(std::ostream& out, const PointReport& report,
   }
 }
 
-void print(std::ostream& out, const PointReport& report,
-           const std::optional<Mending>& mending, const LoadedScene& loaded) {
+void print(std::ostream& out, const PointAnswer& answer, const LoadedScene& loaded) {
+  const PointReport& report = answer.report;
   const FusedState& state = report.state;
   out << loaded.scene.name << " at (" << report.pose.p.x() << ", " << report.pose.p.y()
       << ", " << report.pose.p.z() << ") m: "
@@ -178,9 +105,8 @@ void print(std::ostream& out, const PointReport& report,
               : "the iteration did not settle")
       << "\n";
   if (report.inside) out << "  The point is inside a solid: fields leave it out.\n";
-  for (const std::string& line : lost_directions(loaded.system, report))
+  for (const std::string& line : lost_words(answer, loaded))
     out << "  " << line << "\n";
-  if (mending) out << "  " << words_of(*mending, loaded.metric) << "\n";
   out << to_string(Definition{loaded.system.fusion, loaded.system.covariance})
       << ", solver " << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
@@ -195,9 +121,8 @@ void print(std::ostream& out, const PointReport& report,
   }
   print_extra_states(out, state, loaded.system);
   print_shares(out, report, loaded.metric.name);
-  const std::vector<SeenBeacon> seen = seen_beacons(loaded.system, report.pose);
-  if (!seen.empty()) out << "Beacons in view\n";
-  print_sightings(out, seen);
+  if (!answer.sightings.empty()) out << "Beacons in view\n";
+  print_sightings(out, answer.sightings);
   for (const std::string& why : blind_devices(loaded.system, {report.pose})) {
     out << why << "\n";
   }
@@ -209,21 +134,17 @@ int run(const PointCommand& command) {
   const Eigen::Vector3d at = three_numbers(command.at, "m", "--at");
   const Eigen::Vector3d rpy = three_numbers(command.rpy, "rad", "--rpy");
   const Solver solver = solver_named(command.options.solver);
-  const auto [report, mending] = [&] {
+  const PointAnswer answer = [&] {
     try {
-      PointReport point = evaluate_point(loaded.system, {rotation_from_rpy(rpy), at},
-                                         loaded.metric, solver);
-      std::optional<Mending> more =
-          mend_by_one_device(loaded.system, point, rpy, loaded.metric, solver);
-      return std::pair(std::move(point), std::move(more));
+      return answer_point(loaded, at, rpy, solver);
     } catch (const std::invalid_argument& error) {
       throw unsolvable(command.options, error);
     }
   }();
   if (command.options.json) {
-    print_document(to_json(report, mending, loaded, rpy));
+    print_document(point_json(answer, loaded));
   } else {
-    print(std::cout, report, mending, loaded);
+    print(std::cout, answer, loaded);
   }
   return kDone;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "command.h"
-#include "json.h"
+#include "session/diagnostics_json.h"
 
 namespace delos::cli {
+
+using session::diagnostics_json;
 
 /// Devices that see nothing, values of the wrong unit and the like, as warnings.
 [[nodiscard]] Diagnostics doubts_of(const std::filesystem::path& file,
@@ -14,8 +16,5 @@ namespace delos::cli {
 [[nodiscard]] Diagnostics print_doubts(const std::filesystem::path& file,
                                        const LoadedScene& loaded,
                                        PluginRegistry& plugins);
-
-/// A list of {severity, file, line, column, message}.
-[[nodiscard]] Json diagnostics_json(const Diagnostics& diagnostics);
 
 }  // namespace delos::cli

@@ -163,6 +163,10 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
                    "");
 }
 
+TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
+  expect_downwards({"explorer", {"session", "server", "report", "cli"}}, "");
+}
+
 struct Home {
   const char* library;
   std::regex header;
@@ -174,7 +178,7 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/document/"}},
       {"Boost",
        std::regex("boost/.*"),
-       {"kernel/src/plugin/", "kernel/src/expression/"}},
+       {"kernel/src/plugin/", "kernel/src/expression/", "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},

@@ -99,17 +99,26 @@ void visit_files(Scene& scene, Visit&& visit) {
   }
 }
 
+// A scene in the current folder has "" for its own: with a name it can be resolved.
+std::filesystem::path whole(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path).lexically_normal();
+}
+
 }  // namespace
+
+Scene with_absolute_files(Scene scene, const std::filesystem::path& folder) {
+  visit_files(scene, [&](std::string& name) {
+    const std::filesystem::path path = name;
+    if (!path.is_absolute()) name = whole(folder / path).string();
+  });
+  return scene;
+}
 
 std::string save_scene(Scene scene, const std::filesystem::path& folder,
                        const std::filesystem::path& file) {
   visit_files(scene, [&](std::string& name) {
     const std::filesystem::path path = name;
     if (path.is_absolute()) return;
-    // A scene in the current folder has "" for its own: with a name it can be resolved.
-    const auto whole = [](const std::filesystem::path& p) {
-      return std::filesystem::absolute(p).lexically_normal();
-    };
     name = whole(folder / path).lexically_relative(whole(file).parent_path()).string();
   });
   if (const std::string problem = missing_folder(file); !problem.empty())

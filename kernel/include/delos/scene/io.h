@@ -46,6 +46,12 @@ namespace delos {
 /// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
 [[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
 
+/// The scene with the files that it names by relative paths named by absolute ones, so
+/// that its text can stand in any folder.
+/// @param folder where its relative paths start
+[[nodiscard]] DELOS_API Scene with_absolute_files(Scene scene,
+                                                  const std::filesystem::path& folder);
+
 /// Write the scene to a file, whole or not at all. Files that it names by relative
 /// paths are found from the new place too.
 /// @param folder where the scene's relative paths start now

@@ -7,7 +7,7 @@
 
 #include "delos/field/point.h"
 
-namespace delos::cli {
+namespace delos::session {
 
 /// A copy of a device that is there, in another place.
 struct OneMoreDevice {
@@ -41,4 +41,4 @@ struct Mending {
 /// none of those tried would.
 [[nodiscard]] std::string words_of(const Mending& mending, const Metric& metric);
 
-}  // namespace delos::cli
+}  // namespace delos::session

@@ -1,4 +1,4 @@
-#include "one_more_device.h"
+#include "session/one_more_device.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "delos/text/format.h"
 #include "delos/text/words.h"
 
-namespace delos::cli {
+namespace delos::session {
 namespace {
 
 /// Values that differ by no more are those of places that mirror each other.
@@ -99,4 +99,4 @@ std::string words_of(const Mending& mending, const Metric& metric) {
          format_quantity(mending.distance, "m") + " away";
 }
 
-}  // namespace delos::cli
+}  // namespace delos::session

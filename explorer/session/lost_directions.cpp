@@ -1,4 +1,4 @@
-#include "lost_directions.h"
+#include "session/lost_directions.h"
 
 #include <cmath>
 #include <iomanip>
@@ -7,7 +7,7 @@
 #include "delos/model/symmetric.h"
 #include "delos/text/format.h"
 
-namespace delos::cli {
+namespace delos::session {
 namespace {
 
 /// Angles, and parts of distances, below which places are in line.
@@ -113,4 +113,4 @@ std::vector<std::string> lost_directions(const System& system,
   return lines;
 }
 
-}  // namespace delos::cli
+}  // namespace delos::session

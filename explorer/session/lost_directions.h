@@ -6,10 +6,10 @@
 
 #include "delos/field/point.h"
 
-namespace delos::cli {
+namespace delos::session {
 
 /// "lost: z", a line each, and where the place of devices is the reason, why.
 [[nodiscard]] std::vector<std::string> lost_directions(const System& system,
                                                        const PointReport& report);
 
-}  // namespace delos::cli
+}  // namespace delos::session

@@ -1,0 +1,49 @@
+// A scene while it is changed.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "session/history.h"
+#include "session/loaded_scene.h"
+
+namespace delos::session {
+
+/// A scene file and what was changed since, each change as `--set` would make it.
+class Design {
+ public:
+  /// @returns nullopt where the findings hold an error
+  /// @throws as load()
+  [[nodiscard]] static std::optional<Design> open(const std::filesystem::path& file,
+                                                  PluginRegistry& plugins,
+                                                  Diagnostics& findings);
+
+  /// Change values together, as one step or a part of one.
+  /// @param gesture as History::add()
+  /// @returns false, with findings, where the scene would not be in order: it stays as
+  ///          it was
+  /// @throws as load(); it stays as it was
+  bool change(std::vector<Override> changes, const std::string& gesture,
+              PluginRegistry& plugins, Diagnostics& findings);
+  /// @returns false where there is nothing to undo
+  bool undo(PluginRegistry& plugins);
+  bool redo(PluginRegistry& plugins);
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
+  [[nodiscard]] const History& history() const { return history_; }
+  /// The scene as text that reads the same in any folder of this machine.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  Design(std::filesystem::path file, LoadedScene loaded);
+  bool take(const History& history, PluginRegistry& plugins, Diagnostics& findings);
+
+  std::filesystem::path file_;
+  LoadedScene loaded_;
+  History history_;
+};
+
+}  // namespace delos::session

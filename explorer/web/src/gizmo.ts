@@ -1,0 +1,64 @@
+// A device in the hand: dragged and turned in the picture.
+import { Object3D, Vector3 } from 'three';
+import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { newGesture } from './gesture';
+import type { Stage } from './view/stage';
+
+/** @param p world, metres; @param q unit quaternion (w, x, y, z), device to world */
+export type Place = (change: { p?: number[]; q?: number[] }, gesture: string) => void;
+
+export class Gizmo {
+  private readonly controls: TransformControls;
+  private gesture = '';
+
+  constructor(
+    private readonly stage: Stage,
+    place: Place,
+    ended: () => void,
+  ) {
+    this.controls = new TransformControls(stage.camera, stage.canvas);
+    this.controls.setSize(0.8);
+    stage.scene.add(this.controls.getHelper());
+    this.controls.addEventListener('change', () => stage.draw());
+    this.controls.addEventListener('dragging-changed', ({ value }) => {
+      stage.orbit.enabled = !value;
+      this.gesture = value ? newGesture() : '';
+      if (!value) ended();
+    });
+    this.controls.addEventListener('objectChange', () => {
+      const { object, mode } = this.controls;
+      if (mode === 'translate') place({ p: rounded(object.position) }, this.gesture);
+      else {
+        const { w, x, y, z } = object.quaternion;
+        place({ q: [w, x, y, z] }, this.gesture);
+      }
+    });
+  }
+
+  get dragging(): boolean {
+    return this.controls.dragging;
+  }
+  /** Whether the pointer is on a handle, so that a click isn't for what lies behind. */
+  get hovered(): boolean {
+    return this.controls.axis !== null;
+  }
+  get mode(): 'translate' | 'rotate' {
+    return this.controls.mode === 'rotate' ? 'rotate' : 'translate';
+  }
+
+  hold(object: Object3D | null): void {
+    if (object) this.controls.attach(object);
+    else this.controls.detach();
+    this.stage.draw();
+  }
+
+  /** Along which axes: the world's, or, turning, the device's own. */
+  use(mode: 'translate' | 'rotate'): void {
+    this.controls.setMode(mode);
+    this.controls.setSpace(mode === 'translate' ? 'world' : 'local');
+    this.stage.draw();
+  }
+}
+
+/** To a tenth of a millimetre, which no hand is finer than. */
+const rounded = (p: Vector3) => p.toArray().map((x) => Math.round(x * 1e4) / 1e4);

@@ -1,0 +1,64 @@
+// The colour bar: what the colours mean, from where to where.
+import { h } from '../dom';
+import type { Field } from '../field';
+import { digits, displayUnit, raised } from '../quantity';
+import type { Scale } from '../scale';
+
+export class ColourBar {
+  readonly element: HTMLElement;
+  private readonly title = h('div', { className: 'bar-title' });
+  private readonly strip = h('div', { className: 'strip' });
+  private readonly ticks = h('div', { className: 'ticks' });
+  private readonly blind = h('div', { className: 'blind-key' });
+
+  constructor() {
+    this.element = h(
+      'figure',
+      { className: 'colour-bar', id: 'colour-bar', 'aria-label': 'Colour bar' },
+      this.title,
+      h('div', { className: 'bar-body' }, this.strip, this.ticks),
+      this.blind,
+    );
+  }
+
+  /** @param level of the surface that is shown; null: none */
+  show(field: Field, scale: Scale | null, level: number | null): void {
+    const { summary } = field;
+    this.element.dataset.min = scale ? String(scale.min) : '';
+    this.element.dataset.max = scale ? String(scale.max) : '';
+    this.element.dataset.level = field.level;
+    const without = summary.samples - summary.finite;
+    this.blind.replaceChildren(
+      h('span', { className: 'hatch', 'aria-hidden': 'true' }),
+      without > 0 ? `blind: ${without} of ${summary.samples}` : 'blind: none',
+    );
+    if (!scale) {
+      this.title.replaceChildren(h('b', {}, summary.metric.name), ' is finite nowhere');
+      this.strip.style.background = '';
+      this.ticks.replaceChildren();
+      return;
+    }
+    const unit = displayUnit(scale.max, summary.metric.unit);
+    this.title.replaceChildren(
+      h('b', {}, summary.metric.name),
+      unit.name ? ` in ${raised(unit.name)}` : '',
+    );
+    const stops = Array.from({ length: 25 }, (_, k) => scale.css(scale.at(k / 24)));
+    this.strip.style.background = `linear-gradient(to top, ${stops.join(', ')})`;
+    const mark = (value: number, className: string, label: string) => {
+      const tick = h('span', { className }, label);
+      tick.style.bottom = `${100 * scale.part(value)}%`;
+      return tick;
+    };
+    const label = (v: number) => digits(v * unit.factor);
+    const ends = [scale.min, scale.max];
+    const inner = scale
+      .ticks(unit.factor)
+      .filter((v) => scale.part(v) > 0.06 && scale.part(v) < 0.94);
+    this.ticks.replaceChildren(
+      ...inner.map((v) => mark(v, 'tick', label(v))),
+      ...(scale.max > scale.min ? ends : [scale.min]).map((v) => mark(v, 'tick end', label(v))),
+      ...(level !== null ? [mark(level, 'level', label(level))] : []),
+    );
+  }
+}

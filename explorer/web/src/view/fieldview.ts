@@ -1,0 +1,147 @@
+// The field in the room: a layer of its grid, a surface at a level, what has no grid.
+import {
+  BufferGeometry,
+  DoubleSide,
+  Group,
+  Intersection,
+  LineBasicMaterial,
+  LineLoop,
+  Mesh,
+  MeshStandardMaterial,
+  Object3D,
+  Raycaster,
+  ShaderMaterial,
+  Vector3,
+} from 'three';
+import { placeOf, type Field, type GridPart, type Part } from '../field';
+import type { Scale } from '../scale';
+import type { Vec3 } from '../server';
+import { isosurface } from './isosurface';
+import { paint } from './paint';
+import { discard } from './room';
+import { scatteredObject } from './scattered';
+import { applyScale, Sheet, type SheetData } from './sheet';
+
+export interface FieldOptions {
+  /** Across which axis the layer lies; −1: none is shown. */
+  axis: number;
+  /** Where the layer is along it, metres; the nearest one of the grid is shown. */
+  at: number;
+  /** Of the surface; null: none is shown. */
+  level: number | null;
+}
+
+/** The layer of a grid nearest to a place along an axis. */
+export function layerAt(part: GridPart, axis: number, at: number): number {
+  const n = Math.round((at - part.origin[axis]!) / part.step[axis]!);
+  return Math.min(part.counts[axis]! - 1, Math.max(0, n));
+}
+
+function layerOf(part: GridPart, axis: number, layer: number): SheetData {
+  const [a, b] = [0, 1, 2].filter((k) => k !== axis) as [number, number];
+  const strides = [1, part.counts[0], part.counts[0] * part.counts[1]];
+  const origin = new Vector3(...part.origin);
+  origin.setComponent(axis, part.origin[axis]! + layer * part.step[axis]!);
+  const side = (k: number) => {
+    const n = part.counts[k]!;
+    // A single row of samples is drawn as wide as its step.
+    if (n === 1) origin.setComponent(k, origin.getComponent(k) - part.step[k]! / 2);
+    return new Vector3().setComponent(k, Math.max(1, n - 1) * part.step[k]!);
+  };
+  return {
+    origin,
+    u: side(a),
+    v: side(b),
+    counts: [part.counts[a]!, part.counts[b]!],
+    index: (i, j) => part.first + layer * strides[axis]! + i * strides[a]! + j * strides[b]!,
+  };
+}
+
+const planeOf = (part: Part & { kind: 'plane' }): SheetData => ({
+  origin: new Vector3(...part.origin),
+  u: new Vector3(...part.u),
+  v: new Vector3(...part.v),
+  counts: part.counts,
+  index: (i, j) => part.first + i + j * part.counts[0],
+});
+
+export class FieldView {
+  readonly group = new Group();
+  private field: Field | null = null;
+  private readonly sheets = new Map<Object3D, Sheet>();
+  /** Sheets that were shown before: their programs stay compiled. */
+  private readonly spare: Sheet[] = [];
+  private readonly scattered = new Map<Object3D, Part>();
+
+  show(field: Field, options: FieldOptions, scale: Scale | null, edge: string): void {
+    for (const child of [...this.group.children]) discard(child);
+    this.spare.push(...this.sheets.values());
+    this.sheets.clear();
+    this.scattered.clear();
+    this.field = field;
+    for (const part of field.parts) {
+      if (part.kind === 'grid') {
+        if (options.axis >= 0)
+          this.sheet(layerOf(part, options.axis, layerAt(part, options.axis, options.at)), scale, edge);
+        if (options.level !== null && scale) this.surface(part, options.level, scale);
+      } else if (part.kind === 'plane') {
+        this.sheet(planeOf(part), scale, edge);
+      } else {
+        const object = scatteredObject(field, part, part.count > 2000 ? 5 : 9);
+        if (scale) applyScale(object.material, scale);
+        this.scattered.set(object, part);
+        this.group.add(object);
+      }
+    }
+  }
+
+  /** The nearest sample that a ray meets. */
+  pick(ray: Raycaster): Vec3 | null {
+    const objects = [...this.sheets.keys(), ...this.scattered.keys()];
+    const hit = ray.intersectObjects(objects, false)[0];
+    if (!hit || !this.field) return null;
+    const sample = this.sampleOf(hit);
+    const part = this.field.parts.find((p) => sample >= p.first && sample < p.first + p.count);
+    return part ? placeOf(part, sample - part.first) : null;
+  }
+
+  private sampleOf(hit: Intersection): number {
+    const sheet = this.sheets.get(hit.object);
+    if (sheet) return sheet.nearest(hit.uv!);
+    const part = this.scattered.get(hit.object)!;
+    if (!hit.face) return part.first + hit.index!;
+    const distance = (i: number) => hit.point.distanceToSquared(new Vector3(...placeOf(part, i)));
+    const corners = [hit.face.a, hit.face.b, hit.face.c].sort((i, j) => distance(i) - distance(j));
+    return part.first + corners[0]!;
+  }
+
+  private sheet(data: SheetData, scale: Scale | null, edge: string): void {
+    const { values, mask, summary } = this.field!;
+    const sheet = this.spare.pop() ?? new Sheet();
+    // Half a device sees nothing: counts don't blend.
+    sheet.show(data, values, mask, summary.metric.name !== 'coverage');
+    if (scale) applyScale(sheet.mesh.material as ShaderMaterial, scale);
+    this.sheets.set(sheet.mesh, sheet);
+    const { origin, u, v } = data;
+    const corners = [
+      origin,
+      origin.clone().add(u),
+      origin.clone().add(u).add(v),
+      origin.clone().add(v),
+    ];
+    const outline = new LineLoop(
+      new BufferGeometry().setFromPoints(corners),
+      paint(`line ${edge}`, () => new LineBasicMaterial({ color: edge })),
+    );
+    this.group.add(sheet.mesh, outline);
+  }
+
+  private surface(part: GridPart, level: number, scale: Scale): void {
+    const material = paint(
+      'surface',
+      () => new MeshStandardMaterial({ side: DoubleSide, roughness: 0.6 }),
+    );
+    material.color.setRGB(...scale.colour(level), 'srgb');
+    this.group.add(new Mesh(isosurface(this.field!, part, level), material));
+  }
+}

@@ -1,0 +1,130 @@
+// What stands in the room: its bounds, a floor with metres, bodies that hide, beacons.
+import {
+  Box3,
+  Box3Helper,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+  Object3D,
+  Points,
+  PointsMaterial,
+  Vector3,
+} from 'three';
+import type { Around, Box } from '../server';
+import { paint } from './paint';
+
+export interface RoomColours {
+  lines: string;
+  faint: string;
+  bodies: string;
+  beacons: string;
+}
+
+/** Free what an object and those in it hold of the graphics card, but for what they are
+ * painted with. */
+export function discard(object: Object3D): void {
+  object.traverse((o) => {
+    (o as Mesh).geometry?.dispose();
+    // Labels are elements of the page.
+    (o as { element?: HTMLElement }).element?.remove();
+  });
+  object.removeFromParent();
+}
+
+/** A round length, so that the floor has about ten squares. */
+function floorStep(size: number): number {
+  const rough = size / 10;
+  const decade = 10 ** Math.floor(Math.log10(rough));
+  return [1, 2, 5, 10].find((m) => m * decade >= rough)! * decade;
+}
+
+const line = (color: string) => paint(`line ${color}`, () => new LineBasicMaterial({ color }));
+
+function floor(box: Box, colours: RoomColours): { lines: LineSegments; step: number } {
+  const size = Math.max(box.max[0] - box.min[0], box.max[1] - box.min[1], 1e-3);
+  const step = floorStep(size);
+  const low = [0, 1].map((k) => Math.floor(box.min[k]! / step) * step);
+  const high = [0, 1].map((k) => Math.ceil(box.max[k]! / step) * step);
+  // A little below the lowest samples, which would flicker with it.
+  const z = box.min[2] - size / 100;
+  const points: Vector3[] = [];
+  for (let x = low[0]!; x <= high[0]! + step / 2; x += step)
+    points.push(new Vector3(x, low[1]!, z), new Vector3(x, high[1]!, z));
+  for (let y = low[1]!; y <= high[1]! + step / 2; y += step)
+    points.push(new Vector3(low[0]!, y, z), new Vector3(high[0]!, y, z));
+  const material = line(colours.faint);
+  return { lines: new LineSegments(new BufferGeometry().setFromPoints(points), material), step };
+}
+
+function body(entry: Around['occluders'][number], colours: RoomColours): Object3D {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(entry.vertices), 3));
+  geometry.setIndex(entry.triangles);
+  const shell = geometry.toNonIndexed();
+  shell.computeVertexNormals();
+  const group = new Group();
+  // The inside of a room is what one looks at: its walls are lines alone.
+  if (!entry.room)
+    group.add(
+      new Mesh(
+        shell,
+        paint(
+          `body ${colours.bodies}`,
+          () =>
+            new MeshLambertMaterial({
+              color: colours.bodies,
+              side: DoubleSide,
+              transparent: true,
+              opacity: 0.55,
+              depthWrite: false,
+              // Samples on its skin show their own colours.
+              polygonOffset: true,
+              polygonOffsetFactor: 4,
+              polygonOffsetUnits: 4,
+            }),
+        ),
+      ),
+    );
+  group.add(
+    new LineSegments(
+      new EdgesGeometry(geometry, 30),
+      line(colours.lines),
+    ),
+  );
+  return group;
+}
+
+export class Room {
+  readonly group = new Group();
+  /** Metres between the lines of the floor. */
+  step = 1;
+
+  show(samples: Box, room: Box, around: Around, colours: RoomColours): void {
+    for (const child of [...this.group.children]) discard(child);
+    const bounds = new Box3(new Vector3(...samples.min), new Vector3(...samples.max));
+    const frame = new Box3Helper(bounds, new Color(colours.lines));
+    const { lines, step } = floor(room, colours);
+    this.step = step;
+    this.group.add(frame, lines);
+    // What moves with the target has no place of its own in the room.
+    for (const entry of around.occluders)
+      if (!entry.carried) this.group.add(body(entry, colours));
+    if (around.beacons.length > 0)
+      this.group.add(
+        new Points(
+          new BufferGeometry().setFromPoints(around.beacons.map((p) => new Vector3(...p))),
+          paint(
+            `beacons ${colours.beacons}`,
+            () => new PointsMaterial({ color: colours.beacons, size: 3, sizeAttenuation: false }),
+          ),
+        ),
+      );
+  }
+}

@@ -1,0 +1,173 @@
+// A flat sheet of samples, coloured: a layer of a grid, or a plane.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DataTexture,
+  DoubleSide,
+  FloatType,
+  GLSL3,
+  Mesh,
+  RGFormat,
+  ShaderMaterial,
+  Vector2,
+  Vector3,
+} from 'three';
+import { Drawn } from '../field';
+import { Scale, scaleShader } from '../scale';
+
+const vertexShader = /* glsl */ `
+out vec2 at;
+void main() {
+  at = uv;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}
+`;
+
+/** Values blend between the samples that have one; what lies nearest to a sample that has
+ * none is hatched: blind is never drawn as good. */
+const fragmentShader = /* glsl */ `
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D samples;  // value, Drawn
+uniform vec2 counts;
+uniform bool blend;
+uniform vec3 blindA, blindB, solid;
+in vec2 at;
+out vec4 colour;
+${scaleShader}
+void main() {
+  vec2 s = clamp(at, 0.0, 1.0) * (counts - 1.0);
+  ivec2 last = ivec2(counts) - 1;
+  vec2 nearest = texelFetch(samples, min(ivec2(s + 0.5), last), 0).xy;
+  if (nearest.y < 0.5) {
+    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
+    colour = vec4(stripe < 5.0 ? blindA : blindB, 1.0);
+    return;
+  }
+  if (nearest.y > 1.5) {
+    colour = vec4(solid, 1.0);
+    return;
+  }
+  float value = nearest.x;
+  if (blend) {
+    ivec2 low = ivec2(s);
+    vec2 part = s - vec2(low);
+    float sum = 0.0, weights = 0.0;
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {
+        vec2 corner = texelFetch(samples, min(low + ivec2(i, j), last), 0).xy;
+        float w = (i == 1 ? part.x : 1.0 - part.x) * (j == 1 ? part.y : 1.0 - part.y);
+        if (corner.y > 0.5 && corner.y < 1.5) {
+          sum += w * corner.x;
+          weights += w;
+        }
+      }
+    value = sum / weights;
+  }
+  colour = vec4(colourOf(value), 1.0);
+}
+`;
+
+/** Colours of what has no value; the page's theme sets them. */
+export const blindColours = {
+  a: new Color('#5b6270'),
+  b: new Color('#2b303b'),
+  solid: new Color('#14161c'),
+};
+
+/** What all drawn values share. */
+export function scaleUniforms() {
+  return {
+    range: { value: new Vector2(0, 1) },
+    logarithmic: { value: false },
+    brightIsLarge: { value: false },
+    blindA: { value: blindColours.a },
+    blindB: { value: blindColours.b },
+    solid: { value: blindColours.solid },
+  };
+}
+
+export function applyScale(material: ShaderMaterial, scale: Scale): void {
+  material.uniforms.range!.value.set(scale.min, scale.max);
+  material.uniforms.logarithmic!.value = scale.logarithmic;
+  material.uniforms.brightIsLarge!.value = scale.brightIsLarge;
+}
+
+/** Samples of a sheet, the first direction fastest. */
+export interface SheetData {
+  origin: Vector3;
+  u: Vector3;
+  v: Vector3;
+  counts: [number, number];
+  /** Index among the field's samples of each. */
+  index: (i: number, j: number) => number;
+}
+
+export class Sheet {
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  data: SheetData | null = null;
+
+  constructor() {
+    const material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      side: DoubleSide,
+      uniforms: {
+        ...scaleUniforms(),
+        samples: { value: null },
+        counts: { value: new Vector2(1, 1) },
+        blend: { value: true },
+      },
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    });
+    this.mesh = new Mesh(new BufferGeometry(), material);
+  }
+
+  show(data: SheetData, values: Float32Array, mask: Uint8Array, blend: boolean): void {
+    this.data = data;
+    const [nu, nv] = data.counts;
+    const texels = new Float32Array(2 * nu * nv);
+    for (let j = 0, k = 0; j < nv; ++j)
+      for (let i = 0; i < nu; ++i) {
+        const sample = data.index(i, j);
+        const drawn = mask[sample]!;
+        texels[k++] = drawn === Drawn.value ? values[sample]! : 0;
+        texels[k++] = drawn;
+      }
+    const texture = new DataTexture(texels, nu, nv, RGFormat, FloatType);
+    texture.needsUpdate = true;
+    const { uniforms } = this.mesh.material;
+    uniforms.samples!.value?.dispose();
+    uniforms.samples!.value = texture;
+    uniforms.counts!.value.set(nu, nv);
+    uniforms.blend!.value = blend;
+    this.place(data);
+  }
+
+  /** The sample nearest to a point of the sheet. @param uv of the hit */
+  nearest(uv: Vector2): number {
+    const [nu, nv] = this.data!.counts;
+    return this.data!.index(
+      Math.round(Math.min(1, Math.max(0, uv.x)) * (nu - 1)),
+      Math.round(Math.min(1, Math.max(0, uv.y)) * (nv - 1)),
+    );
+  }
+
+  private place({ origin, u, v }: SheetData): void {
+    const corners = [
+      origin,
+      origin.clone().add(u),
+      origin.clone().add(u).add(v),
+      origin.clone().add(v),
+    ];
+    const geometry = new BufferGeometry().setFromPoints(corners);
+    geometry.setAttribute('uv', new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = geometry;
+  }
+}
