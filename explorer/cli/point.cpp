@@ -52,24 +52,6 @@ void print_sightings(std::ostream& out, const std::vector<SeenBeacon>& seen) {
   }
 }
 
-/// What is estimated besides the motion: clocks, biases.
-void print_extra_states(std::ostream& out, const FusedState& state,
-                        const System& system) {
-  const StateLayout& layout = system.motion.layout;
-  const std::vector<std::string> names = layout.names(), units = layout.units();
-  const StateMatrix P =
-      session::with_infinities(state.covariance(system.covariance), state.unobservable);
-  for (auto i = static_cast<std::size_t>(layout.size()) - layout.extra.size();
-       i < names.size(); ++i) {
-    const double variance =
-        P(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
-    out << "  " << cell(names[i], 18)
-        << (std::isfinite(variance) ? format_quantity(std::sqrt(variance), units[i])
-                                    : std::string("not observed"))
-        << "\n";
-  }
-}
-
 /// What each device is to the point.
 void print_shares(std::ostream& out, const PointReport& report,
                   const std::string& metric) {
@@ -111,15 +93,17 @@ void print(std::ostream& out, const PointAnswer& answer, const LoadedScene& load
       << ", solver " << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";
+  std::size_t width = 18;
+  for (const MetricValue& m : report.metrics)
+    width = std::max(width, m.metric.name.size() + 2);
   for (const MetricValue& m : report.metrics) {
     // Most devices have no pixels.
     if (m.metric.kind == MetricKind::footprint && !std::isfinite(m.value)) continue;
-    out << "  " << cell(m.metric.name, 18)
+    out << "  " << cell(m.metric.name, width)
         << (std::isfinite(m.value) ? format_quantity(m.value, m.metric.unit)
                                    : std::string("not observed"))
         << "\n";
   }
-  print_extra_states(out, state, loaded.system);
   print_shares(out, report, loaded.metric.name);
   if (!answer.sightings.empty()) out << "Beacons in view\n";
   print_sightings(out, answer.sightings);

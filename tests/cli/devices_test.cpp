@@ -14,7 +14,7 @@ TEST(DevicesCommand, ListsEveryDeviceOnALine) {
   }
   const Json all = run({"devices", "--json"}).json();
   EXPECT_GE(all.size(), 3u);
-  EXPECT_EQ(all[0]["id"], "acoustic_range");  // sorted
+  EXPECT_EQ(all[0]["id"], "accelerometer");  // sorted
 }
 
 /// Numbers from plugins/pinhole_camera/README.md and its source.

@@ -169,6 +169,21 @@ TEST(InertialSensors, FeelWhatTheirArmAdds) {
   EXPECT_LT((P - expected).norm(), 1e-10 * expected.norm());
 }
 
+// What scenes/19-inertial-camera.yaml says of itself; sensors of endless noise are
+// none.
+TEST(InertialSensors, ThreefoldTheAccuracyOfTwoCameras) {
+  const auto mean = [](const std::vector<Override>& changes) {
+    const Field field = field_of("19-inertial-camera", changes);
+    double sum = 0;
+    for (const double value : field.value) sum += value;
+    return sum / static_cast<double>(field.value.size());
+  };
+  EXPECT_NEAR(mean({}), 269e-6, 0.5e-6);
+  EXPECT_NEAR(mean({{"devices.accel.params.sigma", "1e6"},
+                    {"devices.gyro.params.sigma", "1e6"}}),
+              823e-6, 0.5e-6);
+}
+
 // z = ‖p‖ + b: each of five beacons has a bias of its own.
 TEST(OwnStates, OfARangeAreEstimatedWithThePlace) {
   const Eigen::Vector3d at[] = {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "delos/model/lanes.h"
+#include "delos/model/wide.h"
 #include "model/jacobi.h"
 
 namespace delos {
@@ -76,12 +77,14 @@ inline double largest_eigenvalue(const Eigen::Matrix3d& P) {
 /// λmax of kLanes matrices whose packed elements are in rows[0] … rows[5].
 inline void largest_eigenvalues(const double* const rows[6], double* out) {
   double accurate[kLanes];
-  for (int l = 0; l < kLanes; ++l) {
-    const LargestEigenvalue at = cubic_eigenvalue(rows[0][l], rows[1][l], rows[2][l],
-                                                  rows[3][l], rows[4][l], rows[5][l]);
-    out[l] = at.value;
-    accurate[l] = at.accurate ? 1 : 0;
-  }
+  in_wide_vectors([&] {
+    for (int l = 0; l < kLanes; ++l) {
+      const LargestEigenvalue at = cubic_eigenvalue(rows[0][l], rows[1][l], rows[2][l],
+                                                    rows[3][l], rows[4][l], rows[5][l]);
+      out[l] = at.value;
+      accurate[l] = at.accurate ? 1 : 0;
+    }
+  });
   for (int l = 0; l < kLanes; ++l) {
     if (accurate[l] == 1) continue;
     Eigen::Matrix3d P;
