@@ -48,7 +48,7 @@ class Api {
   PluginRegistry& plugins_;
   int threads_;
   std::vector<session::ShippedScene> scenes_;
-  bool given_;  ///< the first of them was asked for
+  bool given_;                     ///< the first of them was asked for
   boost::asio::thread_pool pool_;  // outlives the strands of visitors
   Visitors visitors_;
 };

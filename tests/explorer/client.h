@@ -51,7 +51,7 @@ class Explorer {
                             std::map<std::string, std::string> headers = {}) const;
   /// Of a design. @param more keys beside the session
   Answer ask(const std::string& verb, const std::string& session,
-                           Json more = Json::object()) const;
+             Json more = Json::object()) const;
   /// @returns the description, with its session
   [[nodiscard]] Json open(const std::string& scene) const;
 

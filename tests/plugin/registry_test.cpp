@@ -303,12 +303,9 @@ TEST(Stamp, NamesTheFirstFieldThatDiffers) {
 
   // What answers for many points, beacons and searches are passed in.
   const std::pair<std::uint32_t AbiStamp::*, std::string> kShapes[] = {
-      {&AbiStamp::point_lanes, "PointLanes"},
-      {&AbiStamp::row_lanes, "RowLanes"},
-      {&AbiStamp::beacon_lanes, "BeaconLanes"},
-      {&AbiStamp::smooth_rows, "SmoothRows"},
-      {&AbiStamp::view_cone, "ViewCone"},
-      {&AbiStamp::own_state, "OwnState"}};
+      {&AbiStamp::point_lanes, "PointLanes"},   {&AbiStamp::row_lanes, "RowLanes"},
+      {&AbiStamp::beacon_lanes, "BeaconLanes"}, {&AbiStamp::smooth_rows, "SmoothRows"},
+      {&AbiStamp::view_cone, "ViewCone"},       {&AbiStamp::own_state, "OwnState"}};
   for (const auto& [field, type] : kShapes) {
     EXPECT_EQ(differing(field, 1),
               "was built with another " + type + " (sizeof(" + type +

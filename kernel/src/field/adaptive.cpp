@@ -18,14 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<Eigen::Matrix3d> rotations(const Orientations& orientations) {
-  std::vector<Eigen::Matrix3d> all;
-  for (const Eigen::Vector3d& rpy : orientations.rpy) {
-    all.push_back(rotation_from_rpy(rpy));
-  }
-  return all;
-}
-
 }  // namespace
 
 const char* to_string(AdaptiveStop stop) {

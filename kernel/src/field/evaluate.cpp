@@ -23,60 +23,122 @@ std::string metric_problem(const System& system, const Metric& metric) {
   return "metric latency: artemis fusion has no closed loop; use stacked or continuous";
 }
 
-std::vector<TargetPose> field_poses(const Samples& samples,
-                                    const Orientations& orientations) {
-  std::vector<Eigen::Matrix3d> turns;
-  for (const Eigen::Vector3d& rpy : orientations.rpy) {
-    turns.push_back(rotation_from_rpy(rpy));
-  }
-  const std::size_t points = samples.points.size();
-  const std::size_t chunks = (points + kLanes - 1) / kLanes;
-  std::vector<TargetPose> poses;
-  poses.reserve(chunks * kLanes * turns.size());
-  for (std::size_t c = 0; c < chunks; ++c) {
-    for (const Eigen::Matrix3d& R : turns) {
-      for (std::size_t l = 0; l < kLanes; ++l) {
-        poses.push_back({R, samples.points[std::min(c * kLanes + l, points - 1)]});
-      }
-    }
-  }
-  return poses;
+namespace {
+
+std::size_t chunks_of(const Samples& samples) {
+  return (samples.points.size() + kLanes - 1) / kLanes;
 }
 
-Field evaluate_field(const InformationLayers& layers, const Samples& samples,
-                     const Orientations& orientations, const Metric& metric,
-                     const FieldOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const System& system = layers.system();
-  if (const std::string problem = metric_problem(system, metric); !problem.empty()) {
-    throw std::invalid_argument(problem);
+/// The kLanes poses of a chunk of points in one orientation.
+void fill_poses(const Samples& samples, std::size_t chunk, const Eigen::Matrix3d& R,
+                TargetPose* poses) {
+  const std::size_t last = samples.points.size() - 1;
+  for (std::size_t l = 0; l < kLanes; ++l)
+    poses[l] = {R, samples.points[std::min(chunk * kLanes + l, last)]};
+}
+
+/// Layers of a field that are kept.
+class KeptLayers {
+ public:
+  KeptLayers(const InformationLayers& layers, std::size_t turns)
+      : layers_(layers), turns_(turns) {}
+  void move_to(std::size_t chunk) { first_ = chunk * turns_; }
+  const LayerBlock& block(std::size_t turn) {
+    return layers_.block(first_ + turn, scratch_);
   }
+  [[nodiscard]] const TargetPose* poses(std::size_t turn) const {
+    return layers_.poses().data() + (first_ + turn) * kLanes;
+  }
+
+ private:
+  const InformationLayers& layers_;
+  std::size_t turns_, first_ = 0;
+  LayerBlock scratch_;
+};
+
+/// The same worked out chunk by chunk and forgotten: nothing grows with the samples.
+class FreshLayers {
+ public:
+  FreshLayers(const System& system, const Samples& samples,
+              const std::vector<Eigen::Matrix3d>& turns)
+      : system_(system),
+        samples_(samples),
+        turns_(turns),
+        shape_(system),
+        poses_(turns.size() * kLanes) {}
+  void move_to(std::size_t chunk) {
+    for (std::size_t t = 0; t < turns_.size(); ++t)
+      fill_poses(samples_, chunk, turns_[t], &poses_[t * kLanes]);
+  }
+  const LayerBlock& block(std::size_t turn) {
+    fill_block(system_, shape_, {poses(turn), kLanes}, block_);
+    return block_;
+  }
+  [[nodiscard]] const TargetPose* poses(std::size_t turn) const {
+    return &poses_[turn * kLanes];
+  }
+
+ private:
+  const System& system_;
+  const Samples& samples_;
+  const std::vector<Eigen::Matrix3d>& turns_;
+  LayerShape shape_;
+  std::vector<TargetPose> poses_;
+  LayerBlock block_;
+};
+
+/// A field without its values, all of them blind.
+Field blind_field(const System& system, const Samples& samples, const Metric& metric) {
+  const std::size_t points = samples.points.size();
+  Field field;
+  field.metric = metric.name;
+  field.unit = metric.unit;
+  field.larger_is_better = metric.larger_is_better;
+  field.definition = {system.fusion, system.covariance};
+  field.samples = samples;
+  field.value.assign(points, kInfinity);
+  field.observable.assign(points, 0);
+  field.lost.assign(points, 0);
+  return field;
+}
+
+/// @param make_layers() what a thread reads the layers from
+template <class MakeLayers>
+Field evaluate_chunks(const System& system, const Samples& samples,
+                      const Orientations& orientations, const Metric& metric,
+                      const FieldOptions& options, MakeLayers&& make_layers) {
+  const auto start = std::chrono::steady_clock::now();
+  if (const std::string problem = metric_problem(system, metric); !problem.empty())
+    throw std::invalid_argument(problem);
   const auto solver = make_steady_solver(system, options.solver);
   const std::size_t turns = orientations.rpy.size();
-  const std::size_t points = samples.points.size();
-  const std::size_t chunks = (points + kLanes - 1) / kLanes;
-  std::vector<PoseValue> values(chunks * kLanes);
+  const std::size_t points = samples.points.size(), chunks = chunks_of(samples);
   std::vector<unsigned char> done(chunks, 0);
   std::atomic<std::size_t> chunks_done = 0;
   FirstFailure failure;
 
-  Field field;
+  Field field = blind_field(system, samples, metric);
   field.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
 #pragma omp parallel num_threads(field.threads)
   {
     PlaceEvaluator evaluate(*solver, system, metric, orientations.combine, turns);
-    LayerBlock scratch;
+    auto layers = make_layers();
+    PoseValue values[kLanes];
 #pragma omp for schedule(dynamic)
     for (std::size_t c = 0; c < chunks; ++c) {
       if (options.cancel && options.cancel->load(std::memory_order_relaxed)) continue;
       failure.guard([&] {
-        const auto block = [&](std::size_t turn) -> const LayerBlock& {
-          return layers.block(c * turns + turn, scratch);
-        };
-        const auto poses = [&](std::size_t turn) {
-          return layers.poses().data() + (c * turns + turn) * kLanes;
-        };
-        evaluate(kLanes, block, poses, &values[c * kLanes]);
+        layers.move_to(c);
+        evaluate(
+            kLanes,
+            [&](std::size_t turn) -> const LayerBlock& { return layers.block(turn); },
+            [&](std::size_t turn) { return layers.poses(turn); }, values);
+        const std::size_t first = c * kLanes;
+        for (std::size_t p = first; p < std::min(first + kLanes, points); ++p) {
+          field.value[p] = values[p - first].value;
+          field.observable[p] = values[p - first].observable;
+          field.lost[p] = static_cast<unsigned char>(values[p - first].lost);
+        }
         done[c] = 1;
       });
       const std::size_t so_far = ++chunks_done;
@@ -89,38 +151,48 @@ Field evaluate_field(const InformationLayers& layers, const Samples& samples,
 
   const auto reached =
       static_cast<std::size_t>(std::find(done.begin(), done.end(), 0) - done.begin());
-  field.metric = metric.name;
-  field.unit = metric.unit;
-  field.larger_is_better = metric.larger_is_better;
-  field.definition = {system.fusion, system.covariance};
-  field.samples = samples;
   field.evaluated = std::min(reached * kLanes, points);
   field.evaluations = field.evaluated * turns;
   field.cancelled = field.evaluated < points;
-  field.value.assign(points, kInfinity);
-  field.observable.assign(points, 0);
-  field.lost.assign(points, 0);
-  for (std::size_t p = 0; p < field.evaluated; ++p) {
-    field.value[p] = values[p].value;
-    field.observable[p] = values[p].observable;
-    field.lost[p] = static_cast<unsigned char>(values[p].lost);
-  }
+  // What other threads did beyond the first gap.
+  const auto rest = static_cast<std::ptrdiff_t>(field.evaluated);
+  std::fill(field.value.begin() + rest, field.value.end(), kInfinity);
+  std::fill(field.observable.begin() + rest, field.observable.end(), 0);
+  std::fill(field.lost.begin() + rest, field.lost.end(), 0);
   if (options.find_inside) field.inside = inside_solids(system, samples);
   field.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return field;
 }
 
+}  // namespace
+
+std::vector<TargetPose> field_poses(const Samples& samples,
+                                    const Orientations& orientations) {
+  const std::vector<Eigen::Matrix3d> turns = rotations(orientations);
+  std::vector<TargetPose> poses(chunks_of(samples) * kLanes * turns.size());
+  TargetPose* next = poses.data();
+  for (std::size_t c = 0; c < chunks_of(samples); ++c)
+    for (const Eigen::Matrix3d& R : turns) {
+      fill_poses(samples, c, R, next);
+      next += kLanes;
+    }
+  return poses;
+}
+
+Field evaluate_field(const InformationLayers& layers, const Samples& samples,
+                     const Orientations& orientations, const Metric& metric,
+                     const FieldOptions& options) {
+  return evaluate_chunks(layers.system(), samples, orientations, metric, options,
+                         [&] { return KeptLayers(layers, orientations.rpy.size()); });
+}
+
 Field evaluate_field(const System& system, const Samples& samples,
                      const Orientations& orientations, const Metric& metric,
                      const FieldOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  const InformationLayers layers(system, field_poses(samples, orientations),
-                                 {.memory_limit = 0, .threads = options.threads});
-  Field field = evaluate_field(layers, samples, orientations, metric, options);
-  field.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return field;
+  const std::vector<Eigen::Matrix3d> turns = rotations(orientations);
+  return evaluate_chunks(system, samples, orientations, metric, options,
+                         [&] { return FreshLayers(system, samples, turns); });
 }
 
 }  // namespace delos

@@ -4,10 +4,22 @@
 #include <span>
 #include <vector>
 
+#include "delos/model/pose.h"
+#include "delos/sampling/sets.h"
 #include "field/block_evaluator.h"
 #include "layers/block.h"
 
 namespace delos {
+
+/// R_WT of each orientation.
+[[nodiscard]] inline std::vector<Eigen::Matrix3d> rotations(
+    const Orientations& orientations) {
+  std::vector<Eigen::Matrix3d> turns;
+  turns.reserve(orientations.rpy.size());
+  for (const Eigen::Vector3d& rpy : orientations.rpy)
+    turns.push_back(rotation_from_rpy(rpy));
+  return turns;
+}
 
 /// Evaluates up to kLanes places at a time; one a thread.
 class PlaceEvaluator {

@@ -166,4 +166,13 @@ void sum_layers(const LayerShape& shape, LayerBlock& block) {
   sum_total(shape, block);
 }
 
+void fill_block(const System& system, const LayerShape& shape,
+                std::span<const TargetPose> poses, LayerBlock& block) {
+  size_block(shape, static_cast<int>(poses.size()), block);
+  for (std::size_t i = 0; i < shape.devices; ++i)
+    observe_device(system, shape, i, poses, block);
+  sum_layers(shape, block);
+  check_total(system, shape, block);
+}
+
 }  // namespace delos

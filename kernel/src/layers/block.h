@@ -54,5 +54,9 @@ void sum_layers(const LayerShape& shape, LayerBlock& block);
 /// @throws DeviceFault a device's information isn't finite
 void check_total(const System& system, const LayerShape& shape,
                  const LayerBlock& block);
+/// All of it: every device's layer, and their sums.
+/// @throws DeviceFault as above
+void fill_block(const System& system, const LayerShape& shape,
+                std::span<const TargetPose> poses, LayerBlock& block);
 
 }  // namespace delos

@@ -149,13 +149,7 @@ const LayerBlock& InformationLayers::block(std::size_t b, LayerBlock& scratch) c
 }
 
 void InformationLayers::fill(std::size_t b, LayerBlock& block) const {
-  const std::span<const TargetPose> poses = poses_of(b);
-  size_block(*shape_, static_cast<int>(poses.size()), block);
-  for (std::size_t i = 0; i < shape_->devices; ++i) {
-    observe_device(system_, *shape_, i, poses, block);
-  }
-  sum_layers(*shape_, block);
-  check_total(system_, *shape_, block);
+  fill_block(system_, *shape_, poses_of(b), block);
 }
 
 WhitenedRows whitened_rows(const System& system, const TargetPose& pose) {

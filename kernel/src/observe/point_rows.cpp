@@ -1,5 +1,6 @@
 #include "observe/point_rows.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "delos/model/lanes.h"
@@ -25,10 +26,11 @@ void fill_arms(std::span<const TargetPose> poses, const Eigen::Vector3d& marker,
 /// Where the device sees the points.
 void fill_points(const Pose& X_WS, std::span<const TargetPose> poses,
                  const Vectors& arm, PointLanes& points) {
-  Vectors from_device = {};
-  for (std::size_t l = 0; l < poses.size(); ++l) {
-    for (int i = 0; i < 3; ++i)
+  Vectors from_device;
+  for (int i = 0; i < 3; ++i) {
+    for (std::size_t l = 0; l < poses.size(); ++l)
       from_device[i][l] = poses[l].p(i) - X_WS.p(i) + arm[i][l];
+    std::fill(from_device[i] + poses.size(), from_device[i] + kLanes, 0.0);
   }
   points.count = static_cast<int>(poses.size());
   turn<kLanes>(X_WS.R.transpose(), from_device[0], points.p[0]);
