@@ -97,7 +97,7 @@ devices: [{name: a, type: linear, rate: 10 Hz, params: {H: [[1]], R: [[0.5]]}}]
 Eigen::Matrix3d look(double x, double y, bool in_views) {
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
   const double step = kPi / 12, sigma = 0.02097549633;  // 1.2018 degrees
-  for (const Eigen::Vector2d landmark :
+  for (const Eigen::Vector2d& landmark :
        {Eigen::Vector2d(0, 0), {6, 0}, {6, 6}, {0, 6}}) {
     const Eigen::Vector2d d = landmark - Eigen::Vector2d(x, y);
     const double bearing = std::atan2(d.y(), d.x()) - kPi / 2;
