@@ -43,6 +43,7 @@ eigenvalues(const StateMatrix& A) {
 }
 
 StateMatrix orthonormal(const StateMatrix& X) {
+  if (X.cols() == 0) return X;
   return rotation(QR(X)).leftCols(X.cols());
 }
 

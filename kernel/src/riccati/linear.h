@@ -29,7 +29,7 @@ Schur schur(const StateMatrix& A);
 Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxState, 1>
 eigenvalues(const StateMatrix& A);
 
-/// Orthonormal basis of the columns of X, n×m of full rank.
+/// Orthonormal basis of the columns of X, n×m of full rank; m may be 0.
 StateMatrix orthonormal(const StateMatrix& X);
 
 /// Orthonormal basis of what is orthogonal to the orthonormal columns of N, n×(n−m).

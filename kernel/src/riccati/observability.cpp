@@ -33,7 +33,7 @@ StateMatrix kernel(const StateMatrix& S) {
   for (Eigen::Index i = 0; i < n; ++i) D[i] = S(i, i) > 0 ? 1 / std::sqrt(S(i, i)) : 1;
   const StateMatrix unit = D.asDiagonal() * S * D.asDiagonal();
   const StateMatrix null = null_space(unit, 16 * n * kEps);
-  return null.cols() == 0 ? null : orthonormal(D.asDiagonal() * null);
+  return orthonormal(D.asDiagonal() * null);
 }
 
 /// U ∩ {x : S x = 0, C x = 0}, for an orthonormal basis U.
