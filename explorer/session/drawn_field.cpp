@@ -39,7 +39,7 @@ VolumeSampling coarser_volume(const VolumeSampling& box, std::size_t most) {
   return grid_over(box.min, box.min + last.cwiseProduct(box.step), most);
 }
 
-Eigen::Vector2i coarser_counts(Eigen::Vector2i counts, std::size_t most) {
+Eigen::Vector2i coarser_counts(const Eigen::Vector2i& counts, std::size_t most) {
   const double part =
       std::sqrt(static_cast<double>(most) / counts.cast<double>().prod());
   return (counts.cast<double>() * part)

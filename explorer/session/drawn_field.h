@@ -7,6 +7,7 @@
 
 namespace delos::session {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann's moves don't throw
 struct DrawnField {
   Field field;          ///< over grids where its scene is sampled adaptively
   Json summary;         ///< field_answer() of the scene's own samples

@@ -178,6 +178,17 @@ std::vector<Bad> bad_parts() {
        }(),
        {e("15:15: error: devices.s1.exposure: needs a motion in continuous time, but "
           "custom motion says nothing of what happens between updates")}},
+      {"ExposureOfMotionByMatrices",
+       [] {
+         std::string text = good_with("rate: 50 Hz", "rate: 50 Hz\n    exposure: 5 ms");
+         const std::string chain =
+             "  type: position_velocity\n  state: position\n  q: [0.4, 0.4, 0.1]\n";
+         return text.replace(text.find(chain), chain.size(),
+                             "  type: continuous\n  A: [[0, 0, 0], [0, 0, 0], [0, 0, "
+                             "0]]\n  Q: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
+       }(),
+       {e("15:15: error: devices.s1.exposure: is of position, position_velocity and "
+          "position_velocity_acceleration motion, not of one by matrices")}},
       {"UnknownGroup",
        good_with("rate: 50 Hz", "rate: 50 Hz\n    group: rig2"),
        {e("15:12: error: devices.s1.group: there is no group 'rig2'; did you mean "

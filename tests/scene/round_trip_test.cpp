@@ -118,7 +118,8 @@ class Draw {
     d.type = "probe";
     d.rate = scene.motion.in_continuous_time() ? positive() : 50;
     if (coin()) d.phase = positive();
-    if (scene.fusion == Fusion::periodic || scene.fusion == Fusion::sequential)
+    if (scene.motion.is_chain() &&
+        (scene.fusion == Fusion::periodic || scene.fusion == Fusion::sequential))
       if (coin()) d.exposure = 0.7 / d.rate;
     if (!scene.groups.empty() && coin()) d.group = scene.groups.front().name;
     d.placement = placement();

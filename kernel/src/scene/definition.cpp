@@ -148,9 +148,12 @@ std::string exposure_problem(const MotionModel& motion, const Definition& defini
   if (definition.covariance == CovarianceKind::single)
     return "isn't known to single readings, which are of one instant; leave it out, or "
            "use covariance: prior or posterior";
-  if (!motion.is_chain())
+  if (!motion.in_continuous_time())
     return "needs a motion in continuous time, but custom motion says nothing of what "
            "happens between updates";
+  if (!motion.is_chain())
+    return "is of position, position_velocity and position_velocity_acceleration "
+           "motion, not of one by matrices";
   if (definition.fusion == Fusion::continuous)
     return "isn't known to continuous fusion, the limit of frequent updates, in which "
            "no reading takes time; use fusion: periodic, or sequential";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <string_view>
 
 #include "delos/device/faults.h"
 #include "delos/scene/definition.h"
@@ -249,7 +250,9 @@ void check_carried(Reader& reader, const Place& at, const DeviceEntry& entry, Sp
                             " measures the state, wherever it is mounted; "
                             "leave 'mount' out");
   for (const char* key : {"beacons", "select", "count"})
-    if (const Node* node = at.node().find(key))
+    if (const Node* node = at.node().find(key);
+        node &&
+        !(std::string_view(key) == "select" && entry.select == SightingRule::all))
       reader.error_within(at, node->mark, key,
                           "is for a device that looks at beacons; " + entry.type +
                               " measures how the target moves");
