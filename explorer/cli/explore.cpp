@@ -11,8 +11,6 @@
 
 #include "command.h"
 
-extern char** environ;
-
 namespace delos::cli {
 namespace {
 
