@@ -23,7 +23,7 @@ class Asker {
         columns_(information_size(system)),
         R_SW_(placed.X_WS().R.transpose()) {
     scratch_.target.state.setZero(system.motion.layout.size());
-    scratch_.target.own.setZero(placed.own.count);
+    scratch_.target.own.setZero(placed.own.size);
   }
 
   /// Whether it sees the target, with all that stands in between.

@@ -131,10 +131,10 @@ std::uint64_t PoseViews::in_view(const PlacedDevice& placed,
   std::uint64_t seen = 0;
   if (points_in_view(placed, system_.markers[marker_], block, seen)) return seen;
   scratch_.target.R_ST.setIdentity();
-  scratch_.target.own.setZero(placed.own.count);
+  scratch_.target.own.setZero(placed.own.size);
   for (std::size_t l = 0; l < block.size(); ++l) {
     scratch_.target.p_ST = seen_at(placed.X_WS(), block[l].p, arm_);
-    if (observe_target(placed, 3 + placed.own.count, scratch_.target,
+    if (observe_target(placed, 3 + placed.own.size, scratch_.target,
                        scratch_.observation))
       seen |= std::uint64_t{1} << l;
   }

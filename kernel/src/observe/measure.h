@@ -52,8 +52,8 @@ bool measure_beacons(const System& system, const PlacedDevice& placed,
 /// What a row says of the device's own states: its last columns.
 template <class Row>
 void set_own(const PlacedDevice& placed, const Row& row, StateRow& out) {
-  if (placed.own.count > 0)
-    out.h.segment(placed.own.first, placed.own.count) = row.tail(placed.own.count);
+  if (placed.own.size > 0)
+    out.h.segment(placed.own.first, placed.own.size) = row.tail(placed.own.size);
 }
 
 /// Visit every row about a marker in view.
@@ -63,11 +63,11 @@ bool measure_points(const System& system, const PlacedDevice& placed,
   const bool may_hide = may_be_hidden(system, placed);
   bool seen = false;
   scratch.target.R_ST.setIdentity();  // of another device before
-  scratch.target.own.setZero(placed.own.count);
+  scratch.target.own.setZero(placed.own.size);
   for (const Eigen::Vector3d& marker : system.markers) {
     const Eigen::Vector3d arm = X_WT.R * marker;
     scratch.target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
-    if (!observe_target(placed, 3 + placed.own.count, scratch.target,
+    if (!observe_target(placed, 3 + placed.own.size, scratch.target,
                         scratch.observation))
       continue;
     if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, arm)) continue;
@@ -125,8 +125,8 @@ bool measure_motion(const System& system, const PlacedDevice& placed,
   const int n = layout.size() - static_cast<int>(system.motion.own.size());
   target.state.setZero(span == Span::state ? n : 0);
   const int of_span = span == Span::pose ? 6 : span == Span::motion ? 18 : n;
-  target.own.setZero(placed.own.count);
-  if (!observe_target(placed, of_span + placed.own.count, target, scratch.observation))
+  target.own.setZero(placed.own.size);
+  if (!observe_target(placed, of_span + placed.own.size, target, scratch.observation))
     return false;
   if (!carried && may_be_hidden(system, placed) &&
       !in_sight(system, X_WS.p, X_WT, {0, 0, 0}))

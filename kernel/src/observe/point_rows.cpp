@@ -109,7 +109,7 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
   PointLanes points;
   RowLanes rows;
   Vectors arm = {};
-  if (placed.clock || placed.own.count > 0) return false;  // more columns
+  if (placed.clock || placed.own.size > 0) return false;  // more columns
   if (!ask_lanes(placed, marker, poses, arm, points, rows)) return false;
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);

@@ -114,7 +114,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
-  return !placed.carried() && !placed.clock && placed.own.count == 0 &&
+  return !placed.carried() && !placed.clock && placed.own.size == 0 &&
          placed.device->span() == Span::point &&
          observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
@@ -124,7 +124,7 @@ std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& plac
                                                         const TargetPose& X_WT,
                                                         Sightline* lines, StateRow& row,
                                                         Visit&& visit) const {
-  if (placed.carried() || placed.own.count > 0 || placed.device->span() != Span::point)
+  if (placed.carried() || placed.own.size > 0 || placed.device->span() != Span::point)
     return std::nullopt;
   row.h.setZero(columns_);
   if (placed.clock) row.h(*placed.clock) = 1;

@@ -96,12 +96,12 @@ std::optional<int> state_named(const StateLayout& layout, const std::string& nam
 }
 
 /// Behind all others, the states of a device's own.
-StateRange add_states(const std::string& device, const std::vector<OwnState>& states,
+StateBlock add_states(const std::string& device, const std::vector<OwnState>& states,
                       MotionModel& motion) {
   if (states.empty()) return {};
   StateLayout& layout = motion.layout;
-  const StateRange range{layout.size(), static_cast<int>(states.size())};
-  if (range.first + range.count > kMaxState)
+  const StateBlock range{layout.size(), static_cast<int>(states.size())};
+  if (range.first + range.size > kMaxState)
     throw Unbuildable("with " + device + "'s own states the filter has more than " +
                       std::to_string(kMaxState));
   layout.extra_units.resize(layout.extra.size(), "1");
@@ -183,7 +183,7 @@ int information_size(const System& system) {
   const bool pose_alone = std::all_of(
       system.devices.begin(), system.devices.end(), [](const PlacedDevice& d) {
         const Span span = d.device->span();
-        return !d.clock && d.own.count == 0 &&
+        return !d.clock && d.own.size == 0 &&
                (span == Span::point || span == Span::pose);
       });
   return pose_alone ? layout.coordinates() : layout.size();

@@ -13,9 +13,9 @@ namespace delos {
 ///
 /// which fills in all of `out`, with `inside` in metres: it changes by no more than the
 /// metres that the point moves. It is worked out with T = double (is a ball in view?),
-/// FirstOrder (what is read, and H) and SecondOrder (and the slopes of H). The
-/// last is also asked about points out of view, where it must go on smoothly:
-/// kSearches<T> tells. A point at the device itself is never seen.
+/// FirstOrder (what is read, and H) and SecondOrder (and the slopes of H). The last is
+/// also asked about points out of view: a formula that doesn't go on smoothly there
+/// needs an observe_smoothly() of its own. A point at the device itself is never seen.
 template <class Model, int kRows>
 class PointDevice : public Device {
  public:

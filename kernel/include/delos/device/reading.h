@@ -1,8 +1,6 @@
 // Readings written once as formulas of a point, and what is made of them.
 #pragma once
 
-#include <type_traits>
-
 #include "delos/device/device.h"
 #include "delos/expression/dual.h"
 
@@ -12,10 +10,6 @@ namespace delos {
 /// slopes.
 using FirstOrder = Dual<double, 3>;
 using SecondOrder = Dual<FirstOrder, 3>;
-
-/// Where a search goes on beyond the edge of a view, it needs second derivatives.
-template <class T>
-inline constexpr bool kSearches = std::is_same_v<T, SecondOrder>;
 
 /// A point or a direction in a device's frame S; T is double, FirstOrder or
 /// SecondOrder.

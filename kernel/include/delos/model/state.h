@@ -113,4 +113,10 @@ struct StateLayout {
   friend bool operator==(const StateLayout&, const StateLayout&) = default;
 };
 
+/// Some states that stand side by side.
+struct StateBlock {
+  int first = 0, size = 0;
+  friend bool operator==(const StateBlock&, const StateBlock&) = default;
+};
+
 }  // namespace delos

@@ -37,12 +37,6 @@ struct TargetMount {
   friend bool operator==(const TargetMount&, const TargetMount&) = default;
 };
 
-/// Some states of a filter that stand side by side.
-struct StateRange {
-  int first = 0, count = 0;
-  friend bool operator==(const StateRange&, const StateRange&) = default;
-};
-
 /// A device in its place.
 struct PlacedDevice {
   std::string name;
@@ -57,7 +51,7 @@ struct PlacedDevice {
   /// that instant.
   double exposure = 0;
   std::optional<int> clock;  ///< the state that its readings are off by
-  StateRange own;            ///< its own states
+  StateBlock own;            ///< its own states
 
   /// How the target carries it; null: it stands in the world.
   [[nodiscard]] const TargetMount* carried() const {

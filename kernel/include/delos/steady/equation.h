@@ -24,11 +24,6 @@ struct SteadyRequest {
 [[nodiscard]] DELOS_API SteadyRequest request_for(const System& system,
                                                   std::span<const Metric> metrics);
 
-/// Consecutive states that a device reads.
-struct StateBlock {
-  int first = 0, size = 0;
-};
-
 /// The equation of P∞ at one pose, and what its solution is made of. Made once a thread
 /// by SteadySolver::equation(), so that solving allocates nothing.
 struct DELOS_API SteadyEquation {
