@@ -49,19 +49,16 @@ void observe_poses(const System& system, const PlacedDevice& placed, int columns
 void observe_beacons(const System& system, const PlacedDevice& placed, int coordinates,
                      std::span<const TargetPose> poses, double* layer,
                      std::uint64_t& seen, std::uint64_t& perfect) {
-  BeaconSightings sightings;
-  std::size_t found = 0;  // poses that there are candidates for
-  for (std::size_t lane = 0; lane < poses.size(); ++lane) {
-    const std::uint64_t bit = std::uint64_t{1} << lane;
-    double S[packed_index(kMaxCoordinates, 0)] = {};
-    if (lane == found) found += sightings.candidates.find(placed, poses.subspan(lane));
-    see_candidates(system, placed, poses[lane], sightings);
-    if (!sightings.all.empty()) seen |= bit;
-    if (add_information(sightings, coordinates, S)) perfect |= bit;
-    for (int e = 0; e < packed_index(coordinates, 0); ++e) {
-      layer[static_cast<std::size_t>(e) * kLanes + lane] = S[e];
-    }
-  }
+  BeaconSearch search;
+  search.see_each(system, placed, poses,
+                  [&](std::size_t lane, const BeaconSightings& sightings) {
+                    const std::uint64_t bit = std::uint64_t{1} << lane;
+                    double S[packed_index(kMaxCoordinates, 0)] = {};
+                    if (!sightings.all.empty()) seen |= bit;
+                    if (add_information(sightings, coordinates, S)) perfect |= bit;
+                    for (int e = 0; e < packed_index(coordinates, 0); ++e)
+                      layer[static_cast<std::size_t>(e) * kLanes + lane] = S[e];
+                  });
 }
 
 /// The same for all poses side by side, where the device has an entry for that.

@@ -20,11 +20,10 @@ void add_beacons(const System& system, const CandidateScene& all, std::size_t de
                  std::vector<std::int32_t>& always) {
   const PlacedDevice& placed = system.devices[device];
   const std::vector<int> owners = beacon_owners(system, placed, all);
-  BeaconSightings sightings;
+  BeaconSearch search;
   for (std::size_t p = 0; p < poses.size(); ++p) {
-    see_beacons(system, placed, poses[p], sightings);
     bool anyway = false;
-    for (const BeaconSighting& sighting : sightings.all) {
+    for (const BeaconSighting& sighting : search.see(system, placed, poses[p]).all) {
       int owner = owners[sighting.beacon];
       if (owner < 0) owner = all.of_device[device];
       if (owner < 0)

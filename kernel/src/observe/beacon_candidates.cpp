@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "delos/model/wide.h"
+#include "observe/lever.h"
+
 namespace delos {
 namespace {
 
@@ -36,7 +39,8 @@ std::size_t BeaconCandidates::find(const PlacedDevice& placed,
                                    std::span<const TargetPose> poses) {
   const TargetMount& mount = *placed.carried();
   index_ = mount.beacons.get();
-  const Together near = together(mount.X_TS, poses, index_->patch());
+  // The fewer poses, the fewer candidates, and the more often they are looked for.
+  const Together near = together(mount.X_TS, poses, index_->patch() / 2);
   const Eigen::Matrix3d R_WS = poses[0].R * mount.X_TS.R;
   R_SW_ = R_WS.transpose();
   views_.clear();
@@ -56,71 +60,81 @@ std::size_t BeaconCandidates::find(const PlacedDevice& placed,
     const Eigen::Vector3d p = R_SW_ * (*index_)[beacons_[c]].p;
     x_[c] = p.x(), y_[c] = p.y(), z_[c] = p.z();
   }
-  in_cone_.resize(beacons_.size());
   return near.count;
 }
 
-std::span<const std::uint32_t> BeaconCandidates::in_cone(
-    int view, const Eigen::Vector3d& origin_S) {
+std::size_t BeaconCandidates::poses_together() const {
+  constexpr std::size_t kCandidates = 6 * kLanes;  // of a view in the mean
+  return 1 + kCandidates * views_.size() / (beacons_.size() + 1);
+}
+
+void BeaconCandidates::append_in_cone(int view, std::uint32_t pose,
+                                      const Eigen::Vector3d& origin_S,
+                                      std::vector<CandidateInCone>& found) const {
   const View& v = views_[static_cast<std::size_t>(view)];
   const ConeTest test = v.test;
   const Eigen::Vector3d apex = v.cone.apex - origin_S;
   const double ax = v.cone.axis.x(), ay = v.cone.axis.y(), az = v.cone.axis.z();
-  std::size_t found = 0;
   for (std::uint32_t first = v.first; first < v.last; first += kLanes) {
     const auto count =
         static_cast<int>(std::min<std::uint32_t>(kLanes, v.last - first));
+    const double *px = &x_[first], *py = &y_[first], *pz = &z_[first];
     double inside[kLanes];
-    for (int l = 0; l < count; ++l) {
-      const std::size_t c = first + static_cast<std::size_t>(l);
-      const double x = x_[c] - apex.x(), y = y_[c] - apex.y(), z = z_[c] - apex.z();
-      const bool holds = test.holds(x * ax + y * ay + z * az, x * x + y * y + z * z);
-      inside[l] = holds ? 1.0 : 0.0;
-    }
+    in_wide_vectors([&] {
+      for (int l = 0; l < count; ++l) {
+        const double x = px[l] - apex.x(), y = py[l] - apex.y(), z = pz[l] - apex.z();
+        const bool holds = test.holds(x * ax + y * ay + z * az, x * x + y * y + z * z);
+        inside[l] = holds ? 1.0 : 0.0;
+      }
+    });
     // Without a branch, which would often be mispredicted.
+    CandidateInCone some[kLanes];
+    std::size_t some_found = 0;
     for (int l = 0; l < count; ++l) {
-      in_cone_[found] = first + static_cast<std::uint32_t>(l);
-      found += inside[l] > 0;
+      some[some_found] = {first + static_cast<std::uint32_t>(l), pose};
+      some_found += inside[l] > 0;
     }
+    found.insert(found.end(), some, some + some_found);
   }
-  return {in_cone_.data(), found};
 }
 
-void BeaconCandidates::look(int view, std::span<const std::uint32_t> candidates,
-                            const Eigen::Vector3d& origin_S, BeaconLook& out) const {
+void BeaconCandidates::look(int view, std::span<const CandidateInCone> candidates,
+                            std::span<const Eigen::Vector3d> origins_S,
+                            BeaconLook& out) const {
   const auto count = static_cast<int>(candidates.size());
-  auto &p = out.lanes.p, &n = out.lanes.n;
+  BeaconLanes& lanes = out.lanes;
   double normal[3][kLanes], cos_emission[kLanes], range[kLanes];
-  out.lanes.count = count;
+  lanes.count = count;
   for (int l = 0; l < count; ++l) {
-    const std::uint32_t c = candidates[static_cast<std::size_t>(l)];
-    p[0][l] = x_[c] + origin_S.x();
-    p[1][l] = y_[c] + origin_S.y();
-    p[2][l] = z_[c] + origin_S.z();
+    const auto [c, pose] = candidates[static_cast<std::size_t>(l)];
+    const Eigen::Vector3d& origin = origins_S[pose];
+    lanes.p[0][l] = x_[c] + origin.x();
+    lanes.p[1][l] = y_[c] + origin.y();
+    lanes.p[2][l] = z_[c] + origin.z();
     const Beacon& beacon = (*index_)[beacons_[c]];
     for (int i = 0; i < 3; ++i) normal[i][l] = beacon.normal(i);
     cos_emission[l] = beacon.cos_emission;
     range[l] = beacon.range;
     out.weight[l] = beacon.weight;
     out.beacon[l] = beacons_[c];
+    out.pose[l] = pose;
   }
-  for (int i = 0; i < 3; ++i) {
-    const double rx = R_SW_(i, 0), ry = R_SW_(i, 1), rz = R_SW_(i, 2);
+  const Eigen::Vector3d& apex = cone(view).apex;
+  in_wide_vectors([&, ax = apex.x(), ay = apex.y(), az = apex.z()] {
+    turn<kLanes>(R_SW_, normal[0], lanes.n[0], AsTheyAre{}, count);
     for (int l = 0; l < count; ++l) {
-      n[i][l] = rx * normal[0][l] + ry * normal[1][l] + rz * normal[2][l];
+      const double x = ax - lanes.p[0][l], y = ay - lanes.p[1][l],
+                   z = az - lanes.p[2][l];
+      const double nx = lanes.n[0][l], ny = lanes.n[1][l], nz = lanes.n[2][l];
+      const double distance = std::sqrt(x * x + y * y + z * z);
+      const double along = nx * x + ny * y + nz * z;
+      const bool all_around = (nx == 0) & (ny == 0) & (nz == 0);
+      const bool reached = (out.weight[l] > 0) & (distance <= range[l]) &
+                           (all_around | (along >= cos_emission[l] * distance));
+      out.distance[l] = distance;
+      out.reached[l] = reached ? 1.0 : 0.0;
     }
-  }
-  const Eigen::Vector3d apex = cone(view).apex;
-  for (int l = 0; l < count; ++l) {
-    const double x = apex.x() - p[0][l], y = apex.y() - p[1][l], z = apex.z() - p[2][l];
-    const double distance = std::sqrt(x * x + y * y + z * z);
-    const double along = n[0][l] * x + n[1][l] * y + n[2][l] * z;
-    const bool all_around = (n[0][l] == 0) & (n[1][l] == 0) & (n[2][l] == 0);
-    const bool reached = (out.weight[l] > 0) & (distance <= range[l]) &
-                         (all_around | (along >= cos_emission[l] * distance));
-    out.distance[l] = distance;
-    out.reached[l] = reached ? 1.0 : 0.0;
-  }
+  });
 }
 
 }  // namespace delos

@@ -11,9 +11,16 @@
 
 namespace delos {
 
-/// Up to kLanes beacons in a view's cone, as its device sees them and they see it.
+/// A candidate that one of the poses has in a view's cone.
+struct CandidateInCone {
+  std::uint32_t candidate;
+  std::uint32_t pose;  ///< of those that are asked for
+};
+
+/// Up to kLanes of them, as the device sees them and they see it.
 struct BeaconLook {
   BeaconLanes lanes;
+  std::uint32_t pose[kLanes];
   std::uint32_t beacon[kLanes];  ///< in the device's index
   double weight[kLanes];
   double distance[kLanes];  ///< from the view's apex, metres
@@ -31,13 +38,19 @@ class BeaconCandidates {
   /// @returns how many poses
   std::size_t find(const PlacedDevice& placed, std::span<const TargetPose> poses);
 
-  /// Those in a view's cone, in the order of the index, until the next call.
-  /// @param origin_S the world's origin as one of those poses sees it, R_SW (−p_WS)
-  std::span<const std::uint32_t> in_cone(int view, const Eigen::Vector3d& origin_S);
+  /// How many poses are worth asking about at once: a device answers of kLanes beacons
+  /// as fast as of a few, but what many poses see fits into no cache.
+  [[nodiscard]] std::size_t poses_together() const;
+
+  /// Append those in a view's cone, in the order of the index.
+  /// @param origin_S the world's origin as that pose sees it, R_SW (−p_WS)
+  void append_in_cone(int view, std::uint32_t pose, const Eigen::Vector3d& origin_S,
+                      std::vector<CandidateInCone>& found) const;
 
   /// @param candidates of this view, kLanes at most
-  void look(int view, std::span<const std::uint32_t> candidates,
-            const Eigen::Vector3d& origin_S, BeaconLook& out) const;
+  /// @param origins_S one a pose, as above
+  void look(int view, std::span<const CandidateInCone> candidates,
+            std::span<const Eigen::Vector3d> origins_S, BeaconLook& out) const;
 
   /// A view's cone, in S.
   [[nodiscard]] const ViewCone& cone(int view) const {
@@ -51,11 +64,10 @@ class BeaconCandidates {
     std::uint32_t first, last;  // of the candidates
   };
   const BeaconIndex* index_ = nullptr;
-  Eigen::Matrix3d R_SW_;
   std::vector<View> views_;
+  Eigen::Matrix3d R_SW_;
   std::vector<std::uint32_t> beacons_;  // those of all views, one view after the other
   std::vector<double> x_, y_, z_;       // their places R_SW b
-  std::vector<std::uint32_t> in_cone_;
 };
 
 }  // namespace delos

@@ -30,9 +30,7 @@ void use_random(double count, All& all) {
   for (BeaconSighting& s : all) s.share = part * s.weight;
 }
 
-void use_nearest(double count, BeaconSightings& sightings) {
-  All& all = sightings.all;
-  std::vector<std::uint32_t>& order = sightings.in_cone;
+void use_nearest(double count, All& all, std::vector<std::uint32_t>& order) {
   order.resize(all.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -146,7 +144,8 @@ class BestSplit {
 
 }  // namespace
 
-void choose(SightingRule rule, int count, int coordinates, BeaconSightings& sightings) {
+void choose(SightingRule rule, int count, int coordinates, BeaconSightings& sightings,
+            std::vector<std::uint32_t>& order) {
   All& all = sightings.all;
   if (all.empty()) return;
   switch (rule) {
@@ -157,7 +156,7 @@ void choose(SightingRule rule, int count, int coordinates, BeaconSightings& sigh
     case SightingRule::random:
       return use_random(count, all);
     case SightingRule::nearest:
-      return use_nearest(count, sightings);
+      return use_nearest(count, all, order);
     case SightingRule::best:
       use_random(count, all);
       if (total_weight(all) > count) BestSplit(coordinates, sightings).run(count);

@@ -1,7 +1,9 @@
 // What a device on the target sees of the beacons in the world.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "delos/rig/system.h"
@@ -26,17 +28,10 @@ struct BeaconSighting {
   std::uint32_t rows;
 };
 
-/// All sightings of one device at one pose. Memory is kept from one pose to the next.
+/// All sightings of one device at one pose.
 struct BeaconSightings {
   std::vector<BeaconSighting> all;
   std::vector<SightingRow> rows;
-
-  BeaconCandidates candidates;
-  std::vector<std::uint32_t> in_cone;
-  BeaconLook look;
-  RowLanes lane_rows;
-  Target target;
-  Observation observation;
 };
 
 /// Visit the rows of all sightings that an update uses: visit(sighting, row).
@@ -53,13 +48,62 @@ void each_used_row(const BeaconSightings& sightings, Visit&& visit) {
 [[nodiscard]] ViewCone cone_in_world(const PlacedDevice& placed, int view,
                                      const Pose& X_WS);
 
-/// Find what the device sees of its beacons from the pose, and how often it uses each.
-/// @pre the target carries it
-void see_beacons(const System& system, const PlacedDevice& placed,
-                 const TargetPose& X_WT, BeaconSightings& out);
-/// The same at one of the poses that out.candidates was made for.
-void see_candidates(const System& system, const PlacedDevice& placed,
-                    const TargetPose& X_WT, BeaconSightings& out);
+/// Finds what devices on the target see of their beacons, and how often they use each.
+/// One a thread: its memory is kept from one pose to the next.
+class BeaconSearch {
+ public:
+  /// At each of some poses, in their order: visit(number of the pose, sightings), which
+  /// hold until the next call. Poses that are near each other and turned alike are
+  /// looked up, and the device is asked about their beacons, together.
+  /// @pre the target carries the device
+  /// @throws DeviceFault
+  template <class Visit>
+  void see_each(const System& system, const PlacedDevice& placed,
+                std::span<const TargetPose> poses, Visit&& visit) {
+    for (std::size_t first = 0; first < poses.size();) {
+      const std::size_t end = first + candidates_.find(placed, poses.subspan(first));
+      const std::size_t together = candidates_.poses_together();
+      while (first < end) {
+        const auto some = poses.subspan(first, std::min(together, end - first));
+        for (const BeaconSightings& sightings : see_candidates(system, placed, some))
+          visit(first++, sightings);
+      }
+    }
+  }
+
+  /// At one pose.
+  const BeaconSightings& see(const System& system, const PlacedDevice& placed,
+                             const TargetPose& X_WT) {
+    candidates_.find(placed, {&X_WT, 1});
+    return see_candidates(system, placed, {&X_WT, 1})[0];
+  }
+
+ private:
+  struct Question;
+
+  std::span<const BeaconSightings> see_candidates(const System& system,
+                                                  const PlacedDevice& placed,
+                                                  std::span<const TargetPose> poses);
+  void look_through(const Question& question);
+  void add_lanes(const Question& question);
+  void add_singly(const Question& question);
+  [[nodiscard]] bool in_light(const Question& question, int lane) const;
+  [[nodiscard]] Eigen::Vector3d arm(const Question& question, int lane) const;
+  template <class AppendRows>
+  void append(const Question& question, int lane, AppendRows&& append_rows);
+  void pull_lanes(const Question& question);
+
+  BeaconCandidates candidates_;
+  std::vector<Eigen::Vector3d> origins_;  // the world's, as each pose sees it
+  std::vector<CandidateInCone> in_cone_;
+  BeaconLook look_;
+  RowLanes lane_rows_;
+  double h_[kMaxLaneRows][kMaxCoordinates][kLanes];  // the same over the pose
+  Target target_;
+  Observation observation_;
+  std::vector<BeaconSightings> sightings_;
+  std::vector<std::uint32_t> order_;
+};
 
 /// S += Σ share·hᵀh/r over the rows with noise.
 /// @param S packed as model/lanes.h says, one number an entry

@@ -25,16 +25,16 @@ struct InCone {
 };
 
 InCone in_cones(const PlacedDevice& placed, const TargetPose& pose,
-                BeaconSightings& memory) {
+                std::vector<std::uint32_t>& in_cone) {
   InCone count;
   const TargetMount& mount = *placed.carried();
   const Pose X_WS = pose * mount.X_TS;
   for (int view = 0; view < placed.device->views(); ++view) {
     const ViewCone cone = cone_in_world(placed, view, X_WS);
-    memory.in_cone.clear();
-    mount.beacons->find(cone, memory.in_cone);
-    count.all += memory.in_cone.size();
-    for (const std::uint32_t b : memory.in_cone) {
+    in_cone.clear();
+    mount.beacons->find(cone, in_cone);
+    count.all += in_cone.size();
+    for (const std::uint32_t b : in_cone) {
       count.turned_away += !(*mount.beacons)[b].reaches(cone.apex);
     }
   }
@@ -48,9 +48,9 @@ std::string why_blind(const PlacedDevice& placed,
   const std::size_t lit = placed.carried()->beacons->size();
   if (lit == 0) return sees_none + "none is lit";
   InCone count;
-  BeaconSightings memory;
+  std::vector<std::uint32_t> in_cone;
   for (const TargetPose& pose : poses) {
-    const InCone here = in_cones(placed, pose, memory);
+    const InCone here = in_cones(placed, pose, in_cone);
     count.all += here.all;
     count.turned_away += here.turned_away;
   }
@@ -70,11 +70,10 @@ std::string why_blind(const PlacedDevice& placed,
 
 std::vector<SeenBeacon> seen_beacons(const System& system, const TargetPose& pose) {
   std::vector<SeenBeacon> all;
-  BeaconSightings sightings;
+  BeaconSearch search;
   for (const PlacedDevice& placed : system.devices) {
     if (!placed.sees_beacons()) continue;
-    see_beacons(system, placed, pose, sightings);
-    for (const BeaconSighting& s : sightings.all) {
+    for (const BeaconSighting& s : search.see(system, placed, pose).all) {
       all.push_back({placed.name, placed.device->view_name(s.view),
                      (*placed.carried()->beacons)[s.beacon].p, s.distance, s.share});
     }
@@ -89,17 +88,16 @@ BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
   if (threads == 0) threads = omp_get_max_threads();
 #pragma omp parallel num_threads(threads) reduction(+ : beacons, views, sightings)
   {
-    BeaconSightings seen;
+    BeaconSearch search;
     std::vector<std::uint32_t> used, through;
 #pragma omp for schedule(dynamic, 16)
     for (std::size_t i = 0; i < poses.size(); ++i) {
       failure.guard([&] {
         for (const PlacedDevice& placed : system.devices) {
           if (!placed.sees_beacons()) continue;
-          see_beacons(system, placed, poses[i], seen);
           used.clear();
           through.clear();
-          for (const BeaconSighting& s : seen.all) {
+          for (const BeaconSighting& s : search.see(system, placed, poses[i]).all) {
             if (s.share == 0) continue;
             used.push_back(s.beacon);
             through.push_back(static_cast<std::uint32_t>(s.view));
@@ -122,13 +120,12 @@ BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
 std::vector<std::string> blind_devices(const System& system,
                                        const std::vector<TargetPose>& poses) {
   std::vector<std::string> reasons;
-  BeaconSightings sightings;
+  BeaconSearch search;
   for (const PlacedDevice& placed : system.devices) {
     if (!placed.sees_beacons()) continue;
     const bool blind =
         std::none_of(poses.begin(), poses.end(), [&](const TargetPose& pose) {
-          see_beacons(system, placed, pose, sightings);
-          return !sightings.all.empty();
+          return !search.see(system, placed, pose).all.empty();
         });
     if (blind) reasons.push_back(why_blind(placed, poses));
   }

@@ -23,9 +23,9 @@
 
 namespace delos {
 
-// Of `count` of them side by side, entry i of the l-th at [i·count + l]; one of them is
-// a plain vector or row. Inlined always: in the loops of beacons, and where compilers
-// then see that arrays are apart.
+// Of up to `lanes` of them side by side, entry i of the l-th at [i·lanes + l]; one of
+// them is a plain vector or row. Inlined always: in the loops of beacons, and where
+// compilers then see that arrays are apart.
 
 /// What turn() does with results: nothing.
 struct AsTheyAre {
@@ -35,14 +35,16 @@ struct AsTheyAre {
 /// out = R v, and so with R = R_WS the row v R_SW.
 /// @param out apart from v
 /// @param result result(l, x) stands in the place of each number x of the l-th
-template <int count, class Result = AsTheyAre>
+/// @param count how many of the lanes
+template <int lanes, class Result = AsTheyAre>
 [[gnu::always_inline]] inline void turn(const Eigen::Matrix3d& R, const double* v,
-                                        double* out, Result&& result = {}) {
+                                        double* out, Result&& result = {},
+                                        int count = lanes) {
   for (int i = 0; i < 3; ++i) {
     const double x = R(i, 0), y = R(i, 1), z = R(i, 2);
     for (int l = 0; l < count; ++l)
-      out[i * count + l] =
-          result(l, x * v[l] + y * v[count + l] + z * v[2 * count + l]);
+      out[i * lanes + l] =
+          result(l, x * v[l] + y * v[lanes + l] + z * v[2 * lanes + l]);
   }
 }
 
@@ -51,32 +53,34 @@ template <int count, class Result = AsTheyAre>
 /// @param h over the point, in S
 /// @param arm in W, metres
 /// @param result of g, see turn()
-template <int count, class Result = AsTheyAre>
+template <int lanes, class Result = AsTheyAre>
 [[gnu::always_inline]] inline void pull_row(const StateLayout& layout,
                                             const Eigen::Matrix3d& R_WS,
                                             const double* h, const double* arm,
-                                            double* row, Result&& result = {}) {
-  if (layout.pose == PoseState::position) return turn<count>(R_WS, h, row, result);
-  double g[3 * count];
-  turn<count>(R_WS, h, g, result);
+                                            double* row, Result&& result = {},
+                                            int count = lanes) {
+  const bool whole =
+      layout.pose == PoseState::position || layout.pose == PoseState::pose;
+  double apart[3 * lanes];
+  double* const g = whole ? row : apart;
+  turn<lanes>(R_WS, h, g, result, count);
   const auto cross = [&](int i, double* of_turn) {  // (arm × g)_i
-    const int j = (i + 1) % 3 * count, k = (i + 2) % 3 * count;
+    const int j = (i + 1) % 3 * lanes, k = (i + 2) % 3 * lanes;
     for (int l = 0; l < count; ++l)
       of_turn[l] = arm[j + l] * g[k + l] - arm[k + l] * g[j + l];
   };
   switch (layout.pose) {
     case PoseState::pose:
-      std::copy_n(g, 3 * count, row);
-      row += 3 * count;
+      row += 3 * lanes;
       [[fallthrough]];
     case PoseState::orientation:
-      for (int i = 0; i < 3; ++i) cross(i, row + i * count);
+      for (int i = 0; i < 3; ++i) cross(i, row + i * lanes);
       break;
     case PoseState::planar_pose:
-      cross(2, row + 2 * count);
+      cross(2, row + 2 * lanes);
       [[fallthrough]];
     case PoseState::planar:
-      std::copy_n(g, 2 * count, row);
+      std::copy_n(g, 2 * lanes, row);
       break;
     case PoseState::position:
     case PoseState::none:

@@ -19,7 +19,7 @@ struct MeasureScratch {
   Target target;
   Observation observation;
   StateRow row;
-  BeaconSightings sightings;
+  BeaconSearch beacons;
 };
 
 /// observe(), checked.
@@ -37,16 +37,16 @@ template <class Visit>
 bool measure_beacons(const System& system, const PlacedDevice& placed,
                      const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
   const int d = system.motion.layout.coordinates();
-  see_beacons(system, placed, X_WT, scratch.sightings);
+  const BeaconSightings& sightings = scratch.beacons.see(system, placed, X_WT);
   StateRow& row = scratch.row;
-  each_used_row(scratch.sightings, [&](const BeaconSighting& s, const SightingRow& r) {
+  each_used_row(sightings, [&](const BeaconSighting& s, const SightingRow& r) {
     row.h.head(d) = Eigen::Map<const Eigen::RowVectorXd>(r.h, d);
     row.variance = r.variance;
     row.share = s.share;
     row.beacon = s.beacon;
     visit(std::as_const(row));
   });
-  return !scratch.sightings.all.empty();
+  return !sightings.all.empty();
 }
 
 /// What a row says of the device's own states: its last columns.

@@ -47,7 +47,6 @@ class BeaconDevice : public Device {
 
   [[nodiscard]] bool observe_view_lanes(int view, const BeaconLanes& beacons,
                                         RowLanes& out) const override {
-    double z[kRows][kLanes];
     out.rows = kRows;
     in_wide_vectors([&] {
       // A copy that no store can change: so that the loop becomes vector instructions.
@@ -59,14 +58,15 @@ class BeaconDevice : public Device {
                      lane_of(beacons.n, l), reading);
         out.seen[l] = reading.inside.value >= 0 ? 1 : 0;
         set_slopes(reading, l, out);
-        for (int r = 0; r < kRows; ++r) z[r][l] = reading.z[r].value;
+        // Here for now: GCC makes vectors of the loop if `out` alone is stored to.
+        for (int r = 0; r < kRows; ++r) out.variance[r][l] = reading.z[r].value;
       }
     });
     const Opening& opening = model().opening(view);
     for (int l = 0; l < beacons.count; ++l) {
       if (out.seen[l] == 0) continue;
       double read[kRows], variance[kRows];
-      for (int r = 0; r < kRows; ++r) read[r] = z[r][l];
+      for (int r = 0; r < kRows; ++r) read[r] = out.variance[r][l];
       model().noise(opening, lane_of(beacons.p, l), lane_of(beacons.n, l), read,
                     variance);
       for (int r = 0; r < kRows; ++r) out.variance[r][l] = variance[r];
