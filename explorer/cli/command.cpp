@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <stdexcept>
+#include <utility>
 
 #include "delos/text/units.h"
 #include "progress.h"
@@ -104,13 +105,13 @@ FieldOptions field_options(const SceneOptions& options, const Interrupt& interru
   return all;
 }
 
-Field evaluate(const LoadedScene& loaded, const Samples& samples,
-               const SceneOptions& options, const Interrupt& interrupt) {
+Field evaluate(const LoadedScene& loaded, Samples samples, const SceneOptions& options,
+               const Interrupt& interrupt) {
   Progress progress(loaded.scene.name);
   try {
     Field field =
-        evaluate_field(loaded.system, samples, loaded.scene.orientations, loaded.metric,
-                       field_options(options, interrupt, progress));
+        evaluate_field(loaded.system, std::move(samples), loaded.scene.orientations,
+                       loaded.metric, field_options(options, interrupt, progress));
     field.scene = loaded.scene.name;
     return field;
   } catch (const std::invalid_argument& error) {

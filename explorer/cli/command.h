@@ -75,7 +75,7 @@ using session::LoadedScene;
 /// Evaluate with progress on stderr and a clean end at Ctrl-C. The interrupt outlives
 /// the evaluation, so that writing the result isn't cut short either.
 /// @throws Failure as unsolvable()
-[[nodiscard]] Field evaluate(const LoadedScene& loaded, const Samples& samples,
+[[nodiscard]] Field evaluate(const LoadedScene& loaded, Samples samples,
                              const SceneOptions& options, const Interrupt& interrupt);
 
 /// "1.5,2,0.3" as three numbers, each with an optional unit.

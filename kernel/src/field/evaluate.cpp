@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <stdexcept>
+#include <utility>
 
 #include "delos/model/infinity.h"
 #include "delos/model/metric_expression.h"
@@ -88,23 +89,23 @@ class FreshLayers {
 };
 
 /// A field without its values, all of them blind.
-Field blind_field(const System& system, const Samples& samples, const Metric& metric) {
+Field blind_field(const System& system, Samples samples, const Metric& metric) {
   const std::size_t points = samples.points.size();
   Field field;
   field.metric = metric.name;
   field.unit = metric.unit;
   field.larger_is_better = metric.larger_is_better;
   field.definition = {system.fusion, system.covariance};
-  field.samples = samples;
+  field.samples = std::move(samples);
   field.value.assign(points, kInfinity);
   field.observable.assign(points, 0);
   field.lost.assign(points, 0);
   return field;
 }
 
-/// @param make_layers() what a thread reads the layers from
+/// @param make_layers(samples) what a thread reads their layers from
 template <class MakeLayers>
-Field evaluate_chunks(const System& system, const Samples& samples,
+Field evaluate_chunks(const System& system, Samples given,
                       const Orientations& orientations, const Metric& metric,
                       const FieldOptions& options, MakeLayers&& make_layers) {
   const auto start = std::chrono::steady_clock::now();
@@ -112,17 +113,18 @@ Field evaluate_chunks(const System& system, const Samples& samples,
     throw std::invalid_argument(problem);
   const auto solver = make_steady_solver(system, options.solver);
   const std::size_t turns = orientations.rpy.size();
+  Field field = blind_field(system, std::move(given), metric);
+  const Samples& samples = field.samples;
   const std::size_t points = samples.points.size(), chunks = chunks_of(samples);
   std::vector<unsigned char> done(chunks, 0);
   std::atomic<std::size_t> chunks_done = 0;
   FirstFailure failure;
 
-  Field field = blind_field(system, samples, metric);
   field.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
 #pragma omp parallel num_threads(field.threads)
   {
     PlaceEvaluator evaluate(*solver, system, metric, orientations.combine, turns);
-    auto layers = make_layers();
+    auto layers = make_layers(samples);
     PoseValue values[kLanes];
 #pragma omp for schedule(dynamic)
     for (std::size_t c = 0; c < chunks; ++c) {
@@ -180,19 +182,21 @@ std::vector<TargetPose> field_poses(const Samples& samples,
   return poses;
 }
 
-Field evaluate_field(const InformationLayers& layers, const Samples& samples,
+Field evaluate_field(const InformationLayers& layers, Samples samples,
                      const Orientations& orientations, const Metric& metric,
                      const FieldOptions& options) {
-  return evaluate_chunks(layers.system(), samples, orientations, metric, options,
-                         [&] { return KeptLayers(layers, orientations.rpy.size()); });
+  return evaluate_chunks(
+      layers.system(), std::move(samples), orientations, metric, options,
+      [&](const Samples&) { return KeptLayers(layers, orientations.rpy.size()); });
 }
 
-Field evaluate_field(const System& system, const Samples& samples,
+Field evaluate_field(const System& system, Samples samples,
                      const Orientations& orientations, const Metric& metric,
                      const FieldOptions& options) {
   const std::vector<Eigen::Matrix3d> turns = rotations(orientations);
-  return evaluate_chunks(system, samples, orientations, metric, options,
-                         [&] { return FreshLayers(system, samples, turns); });
+  return evaluate_chunks(
+      system, std::move(samples), orientations, metric, options,
+      [&](const Samples& kept) { return FreshLayers(system, kept, turns); });
 }
 
 }  // namespace delos

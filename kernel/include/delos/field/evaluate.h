@@ -40,19 +40,19 @@ struct FieldOptions {
 ///
 /// Each block of 64 poses is worked out by itself, so the bytes of the answer don't
 /// depend on the number of threads.
+/// @param samples kept in the field: move millions of them in
 /// @pre layers.poses() came from field_poses() of the same samples and orientations
 /// @throws std::invalid_argument as make_steady_solver(); or latency under artemis
 /// fusion, which
 ///         has no closed loop.
 [[nodiscard]] DELOS_API Field evaluate_field(const InformationLayers& layers,
-                                             const Samples& samples,
+                                             Samples samples,
                                              const Orientations& orientations,
                                              const Metric& metric,
                                              const FieldOptions& options = {});
 
 /// The same in one go, without keeping layers.
-[[nodiscard]] DELOS_API Field evaluate_field(const System& system,
-                                             const Samples& samples,
+[[nodiscard]] DELOS_API Field evaluate_field(const System& system, Samples samples,
                                              const Orientations& orientations,
                                              const Metric& metric,
                                              const FieldOptions& options = {});
