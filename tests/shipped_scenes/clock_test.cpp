@@ -126,16 +126,16 @@ TEST(Clock, IsAStateOfSingleReadings) {
 
 // ---- six anchors of ranges of 10 cm, one blink ----
 
-constexpr double kAnchors[6][3] = {{0, 0, 0}, {6, 0, 3}, {6, 6, 0},
-                                   {0, 6, 3}, {3, 0, 3}, {3, 6, 0}};
+constexpr double kSixAnchors[6][3] = {{0, 0, 0}, {6, 0, 3}, {6, 6, 0},
+                                      {0, 6, 3}, {3, 0, 3}, {3, 6, 0}};
 
 std::string six_anchors(const std::string& header, const std::string& at,
                         const std::string& clock) {
   std::ostringstream text;
   text << "delos: 1\nmotion: {type: position_velocity, q: [0.4, 0.4, 0.1]}\n"
        << header << "sample: {points: [" << at << "]}\ndevices:\n";
-  for (const auto& a : kAnchors)
-    text << "  - {name: a" << &a - kAnchors << ", type: range, rate: 10 Hz, at: ["
+  for (const auto& a : kSixAnchors)
+    text << "  - {name: a" << &a - kSixAnchors << ", type: range, rate: 10 Hz, at: ["
          << a[0] << ", " << a[1] << ", " << a[2] << "]" << clock
          << ", params: {sigma: 10 cm}}\n";
   return text.str();
@@ -185,9 +185,10 @@ std::string rows_text(const Eigen::MatrixXd& m) {
 Eigen::Matrix<double, 6, 3> directions(const Eigen::Vector3d& p) {
   Eigen::Matrix<double, 6, 3> H;
   for (int i = 0; i < 6; ++i)
-    H.row(i) = (p - Eigen::Vector3d(kAnchors[i][0], kAnchors[i][1], kAnchors[i][2]))
-                   .normalized()
-                   .transpose();
+    H.row(i) =
+        (p - Eigen::Vector3d(kSixAnchors[i][0], kSixAnchors[i][1], kSixAnchors[i][2]))
+            .normalized()
+            .transpose();
   return H;
 }
 
