@@ -21,3 +21,31 @@ function(delos_add_device id)
   install(TARGETS delos_device_${id} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/delos)
   set_property(GLOBAL APPEND PROPERTY DELOS_DEVICES ${id})
 endfunction()
+
+# delos_add_contract_test(<id> <examples>)
+#   The contract that every device obeys, on one device of this project, as a test of
+#   ctest. <examples> is a file with a list of maps of parameters. Without GoogleTest and
+#   yaml-cpp there is a message and no test.
+function(delos_add_contract_test id examples)
+  find_package(GTest QUIET)
+  find_package(yaml-cpp QUIET)
+  if(NOT GTest_FOUND OR NOT yaml-cpp_FOUND)
+    message(STATUS "No contract test of ${id}: it needs GoogleTest and yaml-cpp")
+    return()
+  endif()
+  configure_file(${examples} contract/${id}/example.yaml COPYONLY)
+  set(test ${id}_contract_test)
+  add_executable(${test} ${DELOS_CONTRACT_FOLDER}/device/contract_test.cpp
+    ${DELOS_CONTRACT_FOLDER}/device/devices.cpp ${DELOS_CONTRACT_FOLDER}/support/heap_count.cpp)
+  target_include_directories(${test} PRIVATE ${DELOS_CONTRACT_FOLDER})
+  target_compile_definitions(${test} PRIVATE
+    DELOS_DEVICES="${id}" DELOS_PLUGIN_SOURCES="${CMAKE_CURRENT_BINARY_DIR}/contract")
+  target_link_libraries(${test} PRIVATE delos::kernel GTest::gtest_main yaml-cpp)
+  # Plugins must find this program's malloc before the C library's.
+  set_target_properties(${test} PROPERTIES ENABLE_EXPORTS ON)
+  add_test(NAME ${test} COMMAND ${test} --gtest_filter=*/${id}_*)
+  # A filter that meets no test is a success to GoogleTest.
+  set_tests_properties(${test} PROPERTIES
+    ENVIRONMENT DELOS_PLUGIN_PATH=${CMAKE_BINARY_DIR}/lib/delos
+    FAIL_REGULAR_EXPRESSION "Running 0 tests")
+endfunction()

@@ -18,5 +18,12 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernel/include/delos
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${built_package}/ DESTINATION ${package_folder}
   PATTERN delosTargets*.cmake EXCLUDE)
+# What a device of a project of its own is tested by: delos_add_contract_test().
+set(contract ${PROJECT_SOURCE_DIR}/tests)
+install(FILES ${contract}/device/contract_test.cpp ${contract}/device/devices.cpp
+  ${contract}/device/devices.h
+  DESTINATION share/delos/contract/device)
+install(FILES ${contract}/support/heap_count.cpp ${contract}/support/heap_count.h
+  DESTINATION share/delos/contract/support)
 install(EXPORT delosTargets NAMESPACE delos:: DESTINATION ${package_folder})
 export(EXPORT delosTargets NAMESPACE delos:: FILE ${built_package}/delosTargets.cmake)

@@ -88,6 +88,7 @@ void add_point_command(CLI::App& program, int& exit_code);
 void add_compare_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_devices_command(CLI::App& program, int& exit_code);
+void add_new_device_command(CLI::App& program, int& exit_code);
 void add_optimize_command(CLI::App& program, int& exit_code);
 void add_study_command(CLI::App& program, int& exit_code);
 void add_select_command(CLI::App& program, int& exit_code);

@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add_compare_command(program, exit_code);
   add_check_command(program, exit_code);
   add_devices_command(program, exit_code);
+  add_new_device_command(program, exit_code);
   add_optimize_command(program, exit_code);
   add_study_command(program, exit_code);
   add_select_command(program, exit_code);

@@ -12,6 +12,8 @@ const char* word(ParamKind kind) {
       return "vector";
     case ParamKind::matrix:
       return "matrix";
+    case ParamKind::text:
+      return "text";
   }
   return "";
 }

@@ -17,15 +17,24 @@ std::string first_paragraph(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::filesystem::path scenes_folder() {
+Installation this_installation() {
   const std::filesystem::path program = std::filesystem::canonical("/proc/self/exe");
-  const std::filesystem::path prefix = program.parent_path().parent_path();
+  return {program.parent_path().parent_path()};
+}
+
+std::filesystem::path Installation::shared(const std::string& name,
+                                           const std::string& in_source) const {
+  const std::filesystem::path installed = prefix / "share/delos" / name;
   for (const auto& folder :
-       {prefix / "share/delos/scenes", prefix.parent_path().parent_path() / "scenes"}) {
+       {installed, prefix.parent_path().parent_path() / in_source}) {
     if (std::filesystem::is_directory(folder)) return folder;
   }
-  throw std::runtime_error("the scenes that come with the program are missing from " +
-                           (prefix / "share/delos/scenes").string());
+  throw std::runtime_error("what comes with the program is missing: " +
+                           installed.string());
+}
+
+std::filesystem::path scenes_folder() {
+  return this_installation().shared("scenes", "scenes");
 }
 
 std::vector<ShippedScene> shipped_scenes() {

@@ -15,7 +15,8 @@ namespace {
 
 ParamValue value_of(const YAML::Node& node, ParamKind kind) {
   if (kind == ParamKind::number) return node.as<double>();
-  if (kind == ParamKind::choice) return node.as<std::string>();
+  if (kind == ParamKind::choice || kind == ParamKind::text)
+    return node.as<std::string>();
   const bool rows = kind == ParamKind::matrix;
   Eigen::MatrixXd m(node.size(), rows ? node[0].size() : 1);
   for (int i = 0; i < m.rows(); ++i) {

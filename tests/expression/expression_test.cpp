@@ -59,6 +59,7 @@ TEST(Expression, IsWhatItIsInCpp) {
             std::exp(std::log(kSigma)) + std::log10(kA));
   EXPECT_EQ(evaluated("sin(a)*cos(b) + abs(-a)"), std::sin(kA) * std::cos(kB) + kA);
   EXPECT_EQ(evaluated("min(a, b, sigma_x) + max(a, b, sigma_x)"), kB + kSigma);
+  EXPECT_EQ(evaluated("atan2(-a, b)"), std::atan2(-kA, kB));
   EXPECT_EQ(evaluated("P[x, vx] + 100*P[vx,x]"), 2.5 + 100 * 20.5);
   EXPECT_EQ(evaluated("max(P[y,y], a)/2"), 11.5 / 2);
 }
@@ -93,6 +94,8 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
            {"1 + foo(a)", 4, "there is no function 'foo'; there are sqrt"},
            {"sqrt(a, b)", 0, "sqrt takes one value"},
            {"1 + max(a)", 4, "max takes two values or more"},
+           {"1 + atan2(a)", 4, "atan2 takes two values"},
+           {"atan2(a, b, a)", 0, "atan2 takes two values"},
            {"P[x]", 3, "expected ',', found ']'"},
            {"a + P[x, vz]", 9,
             "'vz' is no state; did you mean 'vx'?; there are x, y, vx"},

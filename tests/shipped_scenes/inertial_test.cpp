@@ -184,6 +184,39 @@ TEST(InertialSensors, ThreefoldTheAccuracyOfTwoCameras) {
               823e-6, 0.5e-6);
 }
 
+// A walk of density K² is a bias that forgets in T → ∞ with 2 bias²/T = K²; a reading
+// of density N at f a second has the variance N² f.
+TEST(Imu, IsAGyroscopeAndAnAccelerometer) {
+  const std::string one =
+      "  - {name: imu, type: imu, mount: target, at: [0.1, 0, 0.2], rpy: [0.3, 0.1, "
+      "2], "
+      "rate: 100, params: {readings: 100, rate_noise: 1e-4, rate_walk: 1e-3, "
+      "acceleration_noise: 2e-3, acceleration_walk: 3e-3}}\n";
+  const std::string two =
+      "  - {name: g, type: gyroscope, mount: target, at: [0.1, 0, 0.2], rpy: [0.3, "
+      "0.1, "
+      "2], rate: 100, params: {sigma: 1e-3, bias: 22.360679774997898, bias_time: "
+      "1e9}}\n"
+      "  - {name: a, type: accelerometer, mount: target, at: [0.1, 0, 0.2], rpy: [0.3, "
+      "0.1, 2], rate: 100, params: {sigma: 0.02, bias: 67.0820393249937, bias_time: "
+      "1e9}}\n";
+  const auto P = [](const std::string& devices) {
+    return prior_at(
+        "delos: 1\nmotion: {type: position_velocity_acceleration, state: pose, q: [9, "
+        "9, 9, 5, 5, 5]}\nsample: {points: [[0, 0, 0]]}\n"
+        "target: {markers: [[0, 0, 0], [0.2, 0, 0], [0, 0.2, 0], [0, 0, 0.2]]}\n"
+        "devices:\n"
+        "  - {name: r1, type: uwb_range, rate: 100, at: [5, 0, 0]}\n"
+        "  - {name: r2, type: uwb_range, rate: 100, at: [0, 5, 0]}\n"
+        "  - {name: r3, type: uwb_range, rate: 100, at: [0, 0, 5]}\n"
+        "  - {name: r4, type: uwb_range, rate: 100, at: [-5, -5, -5]}\n" +
+        devices);
+  };
+  const StateMatrix of_one = P(one), of_two = P(two);
+  ASSERT_EQ(of_one.rows(), 24);
+  EXPECT_LT((of_one - of_two).norm(), 1e-5 * of_two.norm());
+}
+
 // z = ‖p‖ + b: each of five beacons has a bias of its own.
 TEST(OwnStates, OfARangeAreEstimatedWithThePlace) {
   const Eigen::Vector3d at[] = {
@@ -217,6 +250,64 @@ TEST(OwnStates, OfARangeAreEstimatedWithThePlace) {
   EXPECT_LT((P - expected).norm(), 1e-8 * expected.norm());
 }
 
+// Nothing is known before a single reading, neither place nor bias: a biased beacon
+// that sees one marker says nothing of the place, and one that sees two says how much
+// farther one is than the other. Its bias is what it reads less what the others know.
+TEST(OwnStates, OfASingleReadingAreSolvedForBesideThePlace) {
+  const Eigen::Vector3d at[] = {{0, 0, 2.5}, {6, 0, 2.2}, {6, 5, 0.3}};
+  const Eigen::Vector3d p{2, 1.5, 1}, biased{0, 5, 2}, marker{0.5, 0, 0.2};
+  const double r = 0.05 * 0.05;
+  const auto text = [&](const std::string& markers, bool with_biased) {
+    std::ostringstream scene;
+    scene << "delos: 1\nmotion: {type: position_velocity, q: [0.3, 0.3, 0.3]}\n"
+             "covariance: single\nsample: {points: [[2, 1.5, 1]]}\n"
+             "target: {markers: "
+          << markers << "}\ndevices:\n";
+    for (const Eigen::Vector3d& a : at)
+      scene << "  - {name: r" << &a - at << ", type: uwb_range, rate: 20, at: ["
+            << a.x() << ", " << a.y() << ", " << a.z() << "], params: {sigma: 5 cm}}\n";
+    if (with_biased)
+      scene << "  - {name: b, type: biased_beacon, rate: 20, at: [0, 5, 2], params: "
+               "{sigma: 0.05, bias: 0.1, time: 60}}\n";
+    return scene.str();
+  };
+  const Pose pose{Eigen::Matrix3d::Identity(), p};
+  const StateMatrix alone = prior_at(text("[[0, 0, 0]]", false), pose),
+                    with = prior_at(text("[[0, 0, 0]]", true), pose);
+  ASSERT_EQ(with.rows(), 4);
+  EXPECT_LT((with.topLeftCorner(3, 3) - alone).norm(), 1e-10 * alone.norm());
+  const Eigen::Vector3d h = (p - biased).normalized();
+  EXPECT_NEAR(with(3, 3), r + h.dot(alone * h), 1e-10 * with(3, 3));
+
+  const std::string two = "[[0, 0, 0], [0.5, 0, 0.2]]";
+  const StateMatrix both = prior_at(text(two, false), pose),
+                    more = prior_at(text(two, true), pose);
+  const Eigen::Vector3d d = (p + marker - biased).normalized() - h;
+  const Eigen::Matrix3d expected =
+      (both.inverse() + d * d.transpose() / (2 * r)).inverse();
+  EXPECT_LT((more.topLeftCorner(3, 3) - expected).norm(), 1e-10 * expected.norm());
+}
+
+// Whoever forgets the mount is told so, and where; what it then measures is defined.
+TEST(InertialSensors, InTheRoomAreAskedAbout) {
+  for (const std::string id : {"accelerometer", "gyroscope"}) {
+    Diagnostics found;
+    const auto scene = parse_scene(
+        "delos: 1\nmotion: {type: position_velocity_acceleration, state: pose, q: [1, "
+        "1, 1, 1, 1, 1]}\nsample: {points: [[0, 0, 0]]}\ndevices:\n"
+        "  - {name: a, type: " +
+            id + ", rate: 50, params: {sigma: 1}}\n",
+        "s.yaml", {}, plugins(), found);
+    EXPECT_TRUE(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].severity, Severity::warning);
+    EXPECT_EQ(to_string(found[0]),
+              "s.yaml:5:5: warning: devices.a: stands in the room and measures the "
+              "target's motion along its own axes there; if the target carries " +
+                  id + ", give 'mount: target'");
+  }
+}
+
 TEST(InertialSensors, AreRefusedWhereTheyMeasureNothing) {
   const auto refusal = [](const std::string& motion, const std::string& device) {
     Diagnostics found;
@@ -247,8 +338,9 @@ TEST(InertialSensors, AreRefusedWhereTheyMeasureNothing) {
                     "{name: a, type: accelerometer, mount: target, rate: 50, params: "
                     "{sigma: 1, bias: 1}}\n  - {name: u, type: uwb_range, rate: 50, "
                     "exposure: 1 ms}"),
-            "s.yaml:5:3: error: devices: have states of their own, such as biases, and "
-            "an exposure, which aren't solved for together; leave one of them out\n");
+            "s.yaml:5:3: error: devices: have states of their own, such as biases and "
+            "clocks, and an exposure, which aren't solved for together; leave one of "
+            "them out\n");
   std::string many;
   for (int i = 0; i < 8; ++i)
     many += (i ? "\n  - " : "") + std::string("{name: a") + std::to_string(i) +

@@ -1,6 +1,7 @@
 // YAML as a tree of texts with positions: nothing is guessed about what a text means.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,13 @@ struct Node {
   [[nodiscard]] const Node* find(std::string_view key) const;
   [[nodiscard]] Node* find(std::string_view key);
 };
+
+/// Where a character of a scalar's text stands, counted from 0.
+[[nodiscard]] inline Mark mark_of(const Node& text, std::size_t character) {
+  Mark mark = text.mark;
+  if (mark.line > 0) mark.column += static_cast<int>(character) + (text.quoted ? 1 : 0);
+  return mark;
+}
 
 /// What messages call member `index` of a list: its `name` where it has one.
 [[nodiscard]] std::string member_name(const Node& member, std::size_t index);

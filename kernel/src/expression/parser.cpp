@@ -25,6 +25,7 @@ constexpr Function kFunctions[] = {
     {"sqrt", Operation::sqrt},   {"exp", Operation::exp}, {"log", Operation::log},
     {"log10", Operation::log10}, {"sin", Operation::sin}, {"cos", Operation::cos},
     {"abs", Operation::abs},     {"min", Operation::min}, {"max", Operation::max},
+    {"atan2", Operation::atan2},
 };
 
 /// What a name of the text turned out to be used for.
@@ -65,6 +66,8 @@ class Builder {
     const Operation operation = function(call);
     if (operation < Operation::add)
       throw ExpressionProblem{call.at, call.name + " takes one value"};
+    if (operation == Operation::atan2 && call.arguments > 2)
+      throw ExpressionProblem{call.at, call.name + " takes two values"};
     apply(operation, call.at);
   }
 
@@ -74,7 +77,9 @@ class Builder {
     if (operation < Operation::add)
       apply(operation, call.at);
     else if (call.arguments < 2)
-      throw ExpressionProblem{call.at, call.name + " takes two values or more"};
+      throw ExpressionProblem{call.at,
+                              call.name + " takes two values" +
+                                  (operation == Operation::atan2 ? "" : " or more")};
   }
 
   void entry() {

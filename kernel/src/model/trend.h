@@ -81,6 +81,7 @@ struct Trend {
       return {Sign::any, a.stays() && b.stays() ? Way::stays : Way::any};
     return {Sign::positive, *b.number >= 0 ? a.way : turned(a.way)};
   }
+  friend Trend atan2(const Trend& a, const Trend& b) { return (a + b).anyhow(); }
   friend Trend min(const Trend& a, const Trend& b) { return a + b; }
   friend Trend max(const Trend& a, const Trend& b) { return a + b; }
 };

@@ -79,6 +79,13 @@ struct UnitPowers {
   friend UnitPowers log10(const UnitPowers& a) { return a.of_plain(); }
   friend UnitPowers sin(const UnitPowers& a) { return of_angle(a); }
   friend UnitPowers cos(const UnitPowers& a) { return of_angle(a); }
+  /// rad, as the angle that it is.
+  friend UnitPowers atan2(const UnitPowers& a, const UnitPowers& b) {
+    if (a.number && b.number) return std::atan2(*a.number, *b.number);
+    UnitPowers unit = of((a + b).lost);
+    unit.power = {0, 1, 0};
+    return unit;
+  }
   friend UnitPowers abs(const UnitPowers& a) { return a; }
   friend UnitPowers min(const UnitPowers& a, const UnitPowers& b) { return a + b; }
   friend UnitPowers max(const UnitPowers& a, const UnitPowers& b) { return a + b; }

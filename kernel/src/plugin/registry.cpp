@@ -160,6 +160,8 @@ std::shared_ptr<const Device> make_device(const PluginInfo& info,
     device = info.create(params);
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const Unbuildable&) {
+    throw;
   } catch (const std::exception& clash) {
     const std::string why = clash.what();
     throw Unbuildable(why.empty() ? plugin + " refuses these values without a reason"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "delos/device/faults.h"
+#include "delos/model/infinity.h"
 #include "delos/scene/clutter.h"
 #include "delos/scene/definition.h"
 #include "rig/parts.h"
@@ -113,6 +114,29 @@ StateBlock add_states(const std::string& device, const std::vector<OwnState>& st
   return range;
 }
 
+/// A clock that is unknown anew at each update walks by this standard deviation between
+/// two of them, 1000 km, beside which what it was before and any range are nothing. A
+/// walk, so that whoever sees too few devices of it is told blind.
+constexpr double kFreeClock = 1e6;
+
+/// The state of a device's clock, which those of one clock share.
+std::optional<int> clock_of(const Scene& scene, const DeviceEntry& entry,
+                            MotionModel& motion) {
+  const std::string state = clock_state(entry);
+  if (state.empty()) return std::nullopt;
+  if (const auto known = state_named(motion.layout, state)) return known;
+  const ClockEntry* drift = clock_entry(scene, entry.clock);
+  const GaussMarkov model =
+      drift ? GaussMarkov{drift->time_constant, drift->density}
+            : GaussMarkov{kInfinity, kFreeClock * kFreeClock * entry.rate};
+  if (motion.layout.size() == kMaxState)
+    throw Unbuildable("with the clock of " + entry.name + " the filter has more than " +
+                      std::to_string(kMaxState) + " states");
+  motion.layout.extra.push_back(state);
+  motion.own.push_back(model);
+  return motion.layout.size() - 1;
+}
+
 }  // namespace
 
 System::System() = default;
@@ -171,7 +195,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     placed.period = single ? 1 : 1 / entry.rate;
     placed.phase = single ? 0 : entry.phase;
     placed.exposure = exposure_of(entry);
-    if (single) placed.clock = state_named(system.motion.layout, clock_state(entry));
+    placed.clock = clock_of(scene, entry, system.motion);
     placed.own = add_states(placed.name, placed.device->states(), system.motion);
     system.devices.push_back(std::move(placed));
   }

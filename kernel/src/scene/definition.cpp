@@ -51,6 +51,12 @@ bool takes(const Scene& scene, Fusion fusion) {
                                    [](const DeviceEntry& d) { return d.exposure > 0; });
   if (exposes && !exposure_problem(scene.motion, {fusion, scene.covariance}).empty())
     return false;
+  const bool has_free_clock = std::any_of(
+      scene.devices.begin(), scene.devices.end(), [&](const DeviceEntry& d) {
+        return !d.clock.empty() && !clock_entry(scene, d.clock);
+      });
+  if (has_free_clock && !free_clock_problem({fusion, scene.covariance}).empty())
+    return false;
   if (fusion == Fusion::stacked) return has_one_rate(scene);
   return scene.motion.in_continuous_time() ||
          (fusion != Fusion::continuous && fusion != Fusion::periodic);
@@ -72,6 +78,34 @@ std::vector<std::string> clock_states(const Scene& scene) {
 
 std::string clock_state(const DeviceEntry& device) {
   return device.clock.empty() ? "" : "clock_" + device.clock;
+}
+
+const ClockEntry* clock_entry(const Scene& scene, const std::string& clock) {
+  const auto entry =
+      std::find_if(scene.clocks.begin(), scene.clocks.end(),
+                   [&](const ClockEntry& known) { return known.name == clock; });
+  return entry == scene.clocks.end() ? nullptr : &*entry;
+}
+
+std::string free_clock_problem(const Definition& definition) {
+  if (definition.covariance == CovarianceKind::single) return "";
+  std::string problem = "is unknown anew at each update, ";
+  switch (definition.fusion) {
+    case Fusion::stacked:
+    case Fusion::periodic:
+      return "";
+    case Fusion::continuous:
+      problem += "but continuous fusion has no updates";
+      break;
+    case Fusion::sequential:
+      problem += "but sequential fusion has one reading in each, which says nothing so";
+      break;
+    case Fusion::artemis:
+      problem += "which artemis fusion can't have";
+      break;
+  }
+  return problem +
+         "; use fusion: stacked or periodic, or say in 'clocks' how it drifts";
 }
 
 StateLayout covariance_layout(const Scene& scene) {

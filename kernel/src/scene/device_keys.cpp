@@ -196,15 +196,6 @@ void check_mount(Reader& reader, const Place& at, const DeviceEntry& device) {
     refuse("count", "goes with 'select: mean', 'random', 'nearest' or 'best'");
 }
 
-/// An offset that stays is learnt in time: only single readings suffer from one.
-void check_clock(Reader& reader, const Place& at, const DeviceEntry& device,
-                 bool single) {
-  if (!device.clock.empty() && !single)
-    reader.error_within(at, at.node().find("clock")->mark, "clock",
-                        "goes with covariance: single; filters learn an offset that "
-                        "stays");
-}
-
 /// A reading is over by the next one's begin.
 void check_exposure(Reader& reader, const Place& at, const DeviceEntry& device) {
   const std::string problem = device.rate > 0 ? exposure_problem(device) : "";
@@ -233,8 +224,9 @@ struct Around {
   std::vector<std::string> groups;
   const std::vector<SurfaceEntry>* surfaces;
   const std::vector<BeaconSet>* beacons;
-  bool single;         ///< a single reading is asked for
-  int own_states = 0;  ///< of the devices so far
+  bool single;                           ///< a single reading is asked for
+  std::vector<std::string> clocks = {};  ///< of the devices so far
+  int own_states = 0;                    ///< of the devices so far
 };
 
 /// A carried device looks at beacons, or measures how it moves itself.
@@ -289,6 +281,11 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
   try {
     const auto device = make_device(info, entry.params);
     around.own_states += static_cast<int>(device->states().size());
+    // A clock is one, too, but that single readings count it with the pose.
+    const bool is_new = !entry.clock.empty() && !around.single &&
+                        std::find(around.clocks.begin(), around.clocks.end(),
+                                  entry.clock) == around.clocks.end();
+    if (is_new) around.clocks.push_back(entry.clock);
     const StateLayout* layout = around.layout;
     if (entry.mount == Mount::target)
       check_carried(reader, at, entry, device->span(), around.beacons);
@@ -303,6 +300,11 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
       return reader.error_within(
           at, at.node().find("exposure")->mark, "exposure",
           "is of the pose's mean, but " + entry.type + " measures more than the pose");
+    if (entry.mount == Mount::world && device->span() == Span::motion)
+      reader.warning(at,
+                     "stands in the room and measures the target's motion along "
+                     "its own axes there; if the target carries " +
+                         entry.type + ", give 'mount: target'");
     if (around.single && !of_pose)
       return reader.error(at,
                           "measures more than the pose, of which a single reading is; "
@@ -319,7 +321,14 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                          " entries, but this motion's has " +
                          std::to_string(layout->size()) + ": " + joined(names));
   } catch (const Unbuildable& refusal) {
-    reader.error(at, refusal.what());
+    const Node* params = at.node().find("params");
+    const Node* value = params ? params->find(refusal.parameter()) : nullptr;
+    if (value)
+      reader.error_within(Place(at, "params", *params),
+                          mark_of(*value, refusal.character()), refusal.parameter(),
+                          refusal.what());
+    else
+      reader.error(at, refusal.what());
   }
 }
 
@@ -334,7 +343,6 @@ void read_device(Reader& reader, const Place& at, Around& around, DeviceEntry& o
   }
   check_mount(reader, at, out);
   check_group(reader, at, out, around.groups);
-  check_clock(reader, at, out, around.single);
   check_exposure(reader, at, out);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);
@@ -391,6 +399,7 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
     }
     scene.devices.push_back(std::move(entry));
   }
+  around.own_states += static_cast<int>(around.clocks.size());
   const int states = covariance_layout(scene).size();
   if (around.single && states > kMaxState)
     reader.error(at, "have so many clocks that " + std::to_string(states) +
@@ -406,9 +415,10 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
       std::any_of(scene.devices.begin(), scene.devices.end(),
                   [](const DeviceEntry& device) { return device.exposure > 0; });
   if (exposes && around.own_states > 0)
-    reader.error(at,
-                 "have states of their own, such as biases, and an exposure, which "
-                 "aren't solved for together; leave one of them out");
+    reader.error(
+        at,
+        "have states of their own, such as biases and clocks, and an exposure, which "
+        "aren't solved for together; leave one of them out");
 }
 
 Node write_groups(const std::vector<Group>& groups) {

@@ -57,10 +57,8 @@ std::string name_problem(const std::string& name, const KnownMetrics& known) {
 /// What is wrong with a formula, where it is wrong.
 void report(Reader& reader, const Place& metric, const ExpressionProblem& problem) {
   const Node& text = *metric.node().find("expression");
-  Mark mark = text.mark;
-  if (mark.line > 0)
-    mark.column += static_cast<int>(problem.at) + (text.quoted ? 1 : 0);
-  reader.error_within(metric, mark, "expression", problem.sentence);
+  reader.error_within(metric, mark_of(text, problem.at), "expression",
+                      problem.sentence);
 }
 
 }  // namespace

@@ -154,10 +154,12 @@ class Walk {
     std::vector<std::string> words;
     const std::span<const ParamSpec> table(plugin.info->params, plugin.info->n_params);
     for (const ParamSpec& spec : table) {
-      if (spec.kind != ParamKind::choice) words.emplace_back(spec.name);
-      if (at_ < parts_.size() && parts_[at_] == spec.name &&
-          spec.kind == ParamKind::choice)
-        fail("a choice of words isn't a number; compare them with 'delos compare'");
+      const bool wordy = spec.kind == ParamKind::choice || spec.kind == ParamKind::text;
+      if (!wordy) words.emplace_back(spec.name);
+      if (at_ < parts_.size() && parts_[at_] == spec.name && wordy)
+        fail(spec.kind == ParamKind::choice
+                 ? "a choice of words isn't a number; compare them with 'delos compare'"
+                 : "a text isn't a number; compare them with 'delos compare'");
     }
     const std::string& name = next(std::move(words));
     const ParamSpec& spec = *std::find_if(

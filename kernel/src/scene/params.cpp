@@ -80,6 +80,9 @@ std::optional<ParamValue> read_value(Reader& reader, const Place& at,
         return words[*index];
       return std::nullopt;
     }
+    case ParamKind::text:
+      if (auto words = reader.word(at)) return std::move(*words);
+      return std::nullopt;
     case ParamKind::vector:
       return read_vector(reader, at, spec);
     case ParamKind::matrix:

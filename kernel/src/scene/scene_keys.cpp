@@ -7,6 +7,7 @@
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
+#include "scene/clock_keys.h"
 #include "scene/clutter_keys.h"
 #include "scene/device_keys.h"
 #include "scene/metric_keys.h"
@@ -65,7 +66,7 @@ void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 22> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 23> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -174,6 +175,14 @@ constexpr std::array<Key<SceneDraft>, 22> kSceneKeys = {{
      [](const SceneDraft& d) -> Written {
        if (d.scene.beacons.empty()) return std::nullopt;
        return write_beacons(d.scene.beacons);
+     }},
+    {"clocks", Need::optional, "how the clocks of devices drift",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_clocks(r, p, d.scene.clocks);
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.clocks.empty()) return std::nullopt;
+       return write_clocks(d.scene.clocks);
      }},
     {"devices", Need::required, "what measures",
      [](Reader& r, const Place& p, SceneDraft& d) {
@@ -347,6 +356,7 @@ Scene read_scene(Reader& reader, const Node& root) {
   if (draft.known.motion && rates_known) {
     check_fusion(reader, place, draft.scene);
     check_exposures(reader, place, draft.scene);
+    check_clocks(reader, place, draft.scene);
   }
   if (reader.findings.errors() > 0) return std::move(draft.scene);
   if (const Node* occluders = root.find("occluders"))
@@ -356,6 +366,7 @@ Scene read_scene(Reader& reader, const Node& root) {
   if (reader.findings.errors() == 0) {
     // Varied rates may have made the fusion another one.
     check_exposures(reader, place, draft.scene);
+    check_clocks(reader, place, draft.scene);
     check_varied_exposures(reader, place, draft.scene);
   }
   return std::move(draft.scene);

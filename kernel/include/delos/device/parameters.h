@@ -22,13 +22,14 @@ enum class ParamKind : std::uint32_t {
   choice,  ///< one of a few words
   vector,  ///< a list of numbers
   matrix,  ///< a list of rows; of numbers: a column
+  text,    ///< words, such as a formula
 };
 
 /// How a search should step through a number.
 enum class ParamScale : std::uint32_t { linear, log };
 
 /// One row of a plugin's parameter table. Static storage; plain data across the library
-/// boundary. Made by number(), choice(), vector() or matrix() below.
+/// boundary. Made by number(), choice(), vector(), matrix() or text() below.
 struct ParamSpec {
   const char* name;                    ///< snake_case, the key in a scene
   ParamKind kind = ParamKind::number;  ///< what a scene may write
@@ -37,7 +38,7 @@ struct ParamSpec {
   double lower = -std::numeric_limits<double>::infinity();  ///< least value, inclusive
   double upper = std::numeric_limits<double>::infinity();   ///< greatest, inclusive
   ParamScale scale = ParamScale::linear;
-  const char* text = nullptr;  ///< default of a choice, vector or matrix, as in a scene
+  const char* text = nullptr;     ///< default of any other kind, as in a scene
   const char* choices = nullptr;  ///< words of a choice, "one|two|three"
   std::uint32_t length = 0;       ///< length of a vector; 0: any
   const char* help = "";          ///< one sentence
@@ -49,7 +50,7 @@ struct ParamSpec {
     row.initial = static_cast<double>(value);
     return row;
   }
-  /// The same of a choice, vector or matrix, written as in a scene.
+  /// The same of any other kind, written as in a scene.
   [[nodiscard]] constexpr ParamSpec initially(const char* written) const {
     ParamSpec row = *this;
     row.text = written;
@@ -97,6 +98,12 @@ struct ParamSpec {
   return {.name = name, .kind = ParamKind::matrix, .help = help};
 }
 
+/// Words, such as a formula. A plugin that finds something wrong in them throws
+/// Unbuildable with the character.
+[[nodiscard]] constexpr ParamSpec text(const char* name, const char* help) {
+  return {.name = name, .kind = ParamKind::text, .help = help};
+}
+
 /// A parameter's value in SI units. Vectors are n×1 matrices.
 using ParamValue = std::variant<double, std::string, Eigen::MatrixXd>;
 
@@ -112,7 +119,7 @@ class DELOS_API ParamValues {
   /// The number called `name`, in SI units.
   /// @throws std::out_of_range where the table has no number of that name.
   [[nodiscard]] double operator[](std::string_view name) const;
-  /// The chosen word. @throws std::out_of_range as above.
+  /// The chosen word, or the text. @throws std::out_of_range as above.
   [[nodiscard]] const std::string& choice(std::string_view name) const;
   /// The vector (n×1) or matrix. @throws std::out_of_range as above.
   [[nodiscard]] const Eigen::MatrixXd& matrix(std::string_view name) const;

@@ -46,6 +46,7 @@ enum class Operation : unsigned char {
   power,
   min,
   max,
+  atan2,
 };
 
 /// A formula, ready to be evaluated.
@@ -75,8 +76,8 @@ struct ExpressionProblem {
 };
 
 /// Read a formula: numbers, names, + − * / ^ and parentheses, with the usual
-/// precedence (−x^2 is −(x^2), 2^3^2 is 2^9); sqrt, exp, log, log10, sin, cos, abs, min
-/// and max of two or more; pi; entries of a matrix as P[x, y].
+/// precedence (−x^2 is −(x^2), 2^3^2 is 2^9); sqrt, exp, log, log10, sin, cos, abs,
+/// atan2(y, x), min and max of two or more; pi; entries of a matrix as P[x, y].
 [[nodiscard]] DELOS_API std::variant<Expression, ExpressionProblem> parse_expression(
     std::string_view text, const ExpressionNames& names);
 
@@ -86,8 +87,8 @@ struct ExpressionProblem {
 /// @param values of the names that it uses, in the order of Expression::names
 template <class T>
 [[nodiscard]] T evaluate(const Expression& expression, const T* values) {
-  using std::abs, std::cos, std::exp, std::log, std::log10, std::max, std::min,
-      std::pow, std::sin, std::sqrt;
+  using std::abs, std::atan2, std::cos, std::exp, std::log, std::log10, std::max,
+      std::min, std::pow, std::sin, std::sqrt;
   T stack[kMostStack];
   int top = -1;
   for (const Expression::Step& step : expression.steps) {
@@ -145,6 +146,9 @@ template <class T>
         break;
       case Operation::max:
         *at = max(at[0], at[1]);
+        break;
+      case Operation::atan2:
+        *at = atan2(at[0], at[1]);
         break;
     }
   }

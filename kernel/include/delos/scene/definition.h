@@ -21,6 +21,15 @@ struct Definition {
 /// The state of a device's clock, "clock_NAME"; empty where it has none.
 [[nodiscard]] DELOS_API std::string clock_state(const DeviceEntry& device);
 
+/// What a scene says of how a clock drifts; null: nothing, it is unknown anew at each
+/// update.
+[[nodiscard]] DELOS_API const ClockEntry* clock_entry(const Scene& scene,
+                                                      const std::string& clock);
+
+/// Empty where clocks may be unknown anew at each update; else why not, a sentence
+/// without its subject.
+[[nodiscard]] DELOS_API std::string free_clock_problem(const Definition& definition);
+
 /// The states that a scene's covariance has: of a single reading, those of the pose and
 /// of the clocks.
 [[nodiscard]] DELOS_API StateLayout covariance_layout(const Scene& scene);

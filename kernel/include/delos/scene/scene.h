@@ -215,6 +215,16 @@ struct DeviceEntry {
   friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
 };
 
+/// How the offset of a clock changes, in a filter: a first-order Gauss–Markov process.
+/// A clock without an entry is unknown anew at each update.
+struct ClockEntry {
+  std::string name;
+  double time_constant = std::numeric_limits<double>::infinity();  ///< seconds, > 0
+  double density =
+      0;  ///< of the noise that drives it, squared readings per second, ≥ 0
+  friend bool operator==(const ClockEntry&, const ClockEntry&) = default;
+};
+
 /// A metric by a formula.
 struct MetricEntry {
   std::string name;
@@ -240,6 +250,7 @@ struct DELOS_API Scene {
   std::vector<SurfaceEntry> surfaces;
   std::vector<RegionEntry> regions;
   std::vector<BeaconSet> beacons;
+  std::vector<ClockEntry> clocks;
   std::vector<DeviceEntry> devices;
   std::vector<OccluderEntry> occluders;
   std::vector<ClutterEntry> clutter;
