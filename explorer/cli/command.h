@@ -96,5 +96,6 @@ void add_tradeoff_command(CLI::App& program, int& exit_code);
 void add_report_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
 void add_explore_command(CLI::App& program, int& exit_code);
+void add_simulate_command(CLI::App& program, int& exit_code);
 
 }  // namespace delos::cli

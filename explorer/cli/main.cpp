@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
   add_report_command(program, exit_code);
   add_demo_command(program, exit_code);
   add_explore_command(program, exit_code);
+  add_simulate_command(program, exit_code);
   try {
     program.parse(argc, argv);
     return ended(exit_code);

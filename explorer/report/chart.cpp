@@ -145,7 +145,7 @@ Html marked(const std::vector<ChartMark>& marks, const Axes& a) {
 
 }  // namespace
 
-Html chart_figure(const Chart& chart, const Html& caption) {
+Html chart_drawing(const Chart& chart) {
   const Axes a = axes_of(chart);
   Html content = grid(chart, a);
   double legend = kLeft;
@@ -165,9 +165,12 @@ Html chart_figure(const Chart& chart, const Html& caption) {
     legend += 44 + 7.4 * static_cast<double>(series.name.size());
   }
   content += marked(chart.marks, a);
-  return element(
-      "figure", {{"class", "chart"}},
-      svg(kWidth, kHeight, chart.says, content) + element("figcaption", caption));
+  return svg(kWidth, kHeight, chart.says, content);
+}
+
+Html chart_figure(const Chart& chart, const Html& caption) {
+  return element("figure", {{"class", "chart"}},
+                 chart_drawing(chart) + element("figcaption", caption));
 }
 
 }  // namespace delos::report

@@ -12,6 +12,7 @@ namespace delos::report {
 /// How the points of a series are drawn.
 enum class Stroke {
   line,   ///< from point to point, each with a disc
+  curve,  ///< from point to point
   steps,  ///< level up to the next point
   dots,   ///< each by itself, faintly
 };
@@ -36,8 +37,11 @@ struct Chart {
   std::vector<ChartMark> marks;
 };
 
-/// The chart; a logarithmic y axis where its values span more than a factor of 5.
+/// The chart by itself; a logarithmic y axis where its values span more than a factor
+/// of 5.
 /// @pre some series has a point
+[[nodiscard]] Html chart_drawing(const Chart& chart);
+/// The same with a caption.
 [[nodiscard]] Html chart_figure(const Chart& chart, const Html& caption);
 
 }  // namespace delos::report

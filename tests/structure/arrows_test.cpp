@@ -153,7 +153,7 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheKernel) {
   const std::vector<std::string> rooms = {
       "text",     "parallel", "expression", "model",    "riccati", "geometry",
       "sampling", "device",   "plugin",     "document", "scene",   "rig",
-      "observe",  "layers",   "steady",     "field",    "output"};
+      "observe",  "layers",   "steady",     "field",    "simulation", "output"};
   expect_downwards({"kernel/src", rooms}, "delos/");
   expect_downwards({"kernel/include/delos", rooms}, "delos/");
 }
@@ -180,7 +180,8 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/document/"}},
       {"Boost",
        std::regex("boost/.*"),
-       {"kernel/src/plugin/", "kernel/src/expression/", "explorer/server/"}},
+       {"kernel/src/plugin/", "kernel/src/expression/", "kernel/src/simulation/",
+        "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
@@ -188,7 +189,7 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"OpenMP",
        std::regex("omp\\.h"),
        {"kernel/src/observe/", "kernel/src/layers/", "kernel/src/field/",
-        "optimizers/selection/"}},
+        "kernel/src/simulation/", "optimizers/selection/"}},
       {"CLI11", std::regex("CLI/.*"), {"explorer/cli/"}},
       {"NLopt", std::regex("nlopt\\.h.*"), {"optimizers/nlopt/"}},
       {"SQLite", std::regex("sqlite.*"), {"optimizers/study/"}},
