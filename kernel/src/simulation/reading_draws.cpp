@@ -103,8 +103,8 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
     return add();
   }
   if (const TargetMount* carried = placed.carried()) {
-    see_beacons(system, placed, X_WT, scratch.sightings);
-    const std::vector<BeaconSighting>& all = scratch.sightings.all;
+    const std::vector<BeaconSighting>& all =
+        scratch.beacons.see(system, placed, X_WT).all;
     pick(*carried, all, beacons, scratch.picked);
     for (const std::uint32_t i : scratch.picked) {
       reading.view = all[i].view;

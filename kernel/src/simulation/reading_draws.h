@@ -12,7 +12,7 @@ namespace delos {
 /// Memory of one thread.
 struct ReadingScratch {
   PredictedReading predicted;
-  BeaconSightings sightings;
+  BeaconSearch beacons;
   std::vector<std::uint32_t> picked;  ///< sightings, as often as they are used
 };
 
