@@ -165,6 +165,10 @@ bool ReadingModel::predict(const TrackReading& reading, const StateVector& x,
     check_reading(placed, out.answer);
     out.z = out.answer.z;
     out.R = placed.noise * out.answer.R;
+    if (placed.clock) {
+      out.z.array() += x(*placed.clock);
+      out.H.col(*placed.clock).setOnes();
+    }
     return true;
   };
   const auto size_H = [&] { out.H.setZero(out.answer.H.rows(), states_); };
