@@ -311,6 +311,9 @@ TEST_F(MeshFile, OffWithMoreOfAVertexIsReadOrRefused) {
             "b.off: can't be understood, or ends too early");
   EXPECT_EQ(refusal("c.off", "COFF\n3 1 0\n0 0\n1 0\n"),
             "c.off: can't be understood, or ends too early");
+  // CGAL takes it for STCNOFF.
+  EXPECT_EQ(refusal("d.off", "STCNOFFx\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+            "d.off: doesn't begin with a header of OFF");
 }
 
 TEST_F(MeshFile, ThatAnnouncesTooMuchIsRefused) {

@@ -66,6 +66,7 @@ std::string suffix_of(const std::filesystem::path& file) {
 /// An OFF file whose vertices have normals, colours or texture coordinates, as one
 /// whose vertices have none: CGAL reads past its end where they are missing.
 /// @returns empty, and the stream where it was, for any other
+/// @throws MeshProblem the header has more in it, of which CGAL reads a part
 std::string plain_off(std::istream& in) {
   std::string plain, line, word;
   std::size_t vertices = 0, kept = 0;
@@ -75,8 +76,11 @@ std::string plain_off(std::istream& in) {
     if (plain.empty()) {
       if (!(words >> word)) continue;
       if (word != "COFF" && word != "NOFF" && word != "CNOFF" && word != "STOFF" &&
-          word != "STCOFF" && word != "STNOFF" && word != "STCNOFF")
+          word != "STCOFF" && word != "STNOFF" && word != "STCNOFF") {
+        if (word != "OFF" && word != "4OFF" && word.find("OFF") != std::string::npos)
+          throw MeshProblem{"doesn't begin with a header of OFF"};
         break;
+      }
       plain = "OFF\n";
       std::getline(words, line);
       words = std::istringstream(line);
