@@ -313,7 +313,7 @@ TEST(Clock, SaysWhatItGoesWith) {
   EXPECT_EQ(first(""), "");
   EXPECT_EQ(first("fusion: continuous\nclocks: {tag: {density: 1}}\n"), "");
   EXPECT_EQ(first("fusion: continuous\n"),
-            "s.yaml:6:66: error: devices.a0.clock: is unknown anew at each update, but "
+            "s.yaml:6:64: error: devices.a0.clock: is unknown anew at each update, but "
             "continuous fusion has no updates; use fusion: stacked or periodic, or say "
             "in 'clocks' how it drifts");
   EXPECT_EQ(first("clocks: {tag: {density: -1}}\n"),

@@ -68,6 +68,7 @@ TEST(FormulaDevice, GivesTheFieldOfTheSameDevicesInCpp) {
     device.params.set("inside", std::string("50 - sqrt(x^2 + y^2 + z^2)"));
     device.params.set(
         "p", ParamValue(Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, 0.1))));
+    device.params.set("beyond", std::string("smooth"));
     device.params.set("sight", std::string("needed"));
   }
   const Field a = field_of(anchors), b = field_of(formulas);

@@ -27,13 +27,22 @@ PluginRegistry& with_biased_beacon() {
   return registry;
 }
 
-StateMatrix prior_at(const std::string& text, const Pose& pose = {}) {
+FusedState state_at(const std::string& text, const Pose& pose) {
   Diagnostics findings;
   const auto scene = parse_scene(text, "s.yaml", {}, with_biased_beacon(), findings);
   for (const Diagnostic& finding : findings) ADD_FAILURE() << to_string(finding);
   const System system = build_system(scene.value(), with_biased_beacon());
   const auto trace = std::get<Metric>(parse_metric("trace", scene->motion.layout));
-  return evaluate_point(system, pose, trace).state.prior;
+  return evaluate_point(system, pose, trace).state;
+}
+
+StateMatrix prior_at(const std::string& text, const Pose& pose = {}) {
+  return state_at(text, pose).prior;
+}
+
+/// What a single reading knows.
+StateMatrix single_at(const std::string& text, const Pose& pose) {
+  return state_at(text, pose).posterior;
 }
 
 /// Position at 30 Hz, R = 1e-6 m², under PVA with q = 100 m²/s⁵, continuous.
@@ -272,16 +281,16 @@ TEST(OwnStates, OfASingleReadingAreSolvedForBesideThePlace) {
     return scene.str();
   };
   const Pose pose{Eigen::Matrix3d::Identity(), p};
-  const StateMatrix alone = prior_at(text("[[0, 0, 0]]", false), pose),
-                    with = prior_at(text("[[0, 0, 0]]", true), pose);
+  const StateMatrix alone = single_at(text("[[0, 0, 0]]", false), pose),
+                    with = single_at(text("[[0, 0, 0]]", true), pose);
   ASSERT_EQ(with.rows(), 4);
   EXPECT_LT((with.topLeftCorner(3, 3) - alone).norm(), 1e-10 * alone.norm());
   const Eigen::Vector3d h = (p - biased).normalized();
   EXPECT_NEAR(with(3, 3), r + h.dot(alone * h), 1e-10 * with(3, 3));
 
   const std::string two = "[[0, 0, 0], [0.5, 0, 0.2]]";
-  const StateMatrix both = prior_at(text(two, false), pose),
-                    more = prior_at(text(two, true), pose);
+  const StateMatrix both = single_at(text(two, false), pose),
+                    more = single_at(text(two, true), pose);
   const Eigen::Vector3d d = (p + marker - biased).normalized() - h;
   const Eigen::Matrix3d expected =
       (both.inverse() + d * d.transpose() / (2 * r)).inverse();
