@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<std::string> kCommands = {
     "field", "point",    "compare", "check", "devices", "optimize",
-    "study", "tradeoff", "report",  "demo",  "explore"};
+    "study", "tradeoff", "report",  "demo",  "explore", "simulate"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});
