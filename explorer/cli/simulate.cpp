@@ -88,6 +88,24 @@ void print_consistency(std::ostream& out, const char* name, const Consistency& o
       << " of the instants inside\n";
 }
 
+/// Means over a given path, which no band is of: the target doesn't move by the motion.
+void print_along(std::ostream& out, const session::AlongPath& path,
+                 const StateLayout& layout) {
+  const auto names = layout.names(), units = layout.units();
+  out << "  " << cell("along the path", 16) << cell("predicted", 14)
+      << cell("measured", 14) << cell("filter's own", 14) << "measured/predicted\n";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    out << "    " << cell(names[i], 14)
+        << cell(format_quantity(path.predicted(k), units[i]), 14)
+        << cell(format_quantity(path.measured(k), units[i]), 14)
+        << cell(format_quantity(path.filter(k), units[i]), 14) << std::setprecision(3)
+        << path.measured(k) / path.predicted(k) << "\n";
+  }
+  if (path.blind > 0)
+    out << "    " << path.blind << " instants without a finite P∞ are left out\n";
+}
+
 void print(std::ostream& out, const SimulationAnswer& answer,
            const LoadedScene& loaded) {
   const Eigen::Vector3d& p = answer.place.pose.p;
@@ -105,7 +123,11 @@ void print(std::ostream& out, const SimulationAnswer& answer,
   if (s.covariances.empty()) return;
   const auto names = loaded.system.motion.layout.names();
   const auto units = loaded.system.motion.layout.units();
+  const bool along = s.instants.front().predicted.size() > 0;
+  if (const auto path = session::along_path(s))
+    print_along(out, *path, loaded.system.motion.layout);
   for (const SimulatedCovariance& c : s.covariances) {
+    if (along) break;
     const StateVector predicted = session::deviations(c.predicted),
                       measured = session::deviations(c.measured),
                       errors = session::deviation_errors(c);
@@ -121,8 +143,10 @@ void print(std::ostream& out, const SimulationAnswer& answer,
           << cell(format_quantity(measured(k), units[i]), 14) << ratio.str() << "\n";
     }
   }
-  print_consistency(out, "NEES", s.instants.back().nees, s.nees_inside);
-  print_consistency(out, "NIS ", s.instants.back().nis, s.nis_inside);
+  if (!along) {
+    print_consistency(out, "NEES", s.instants.back().nees, s.nees_inside);
+    print_consistency(out, "NIS ", s.instants.back().nis, s.nis_inside);
+  }
   if (s.settles && s.settled_after)
     out << "  settled after " << format_quantity(*s.settled_after, "s")
         << "; time constant " << format_quantity(s.time_constant, "s") << "\n";

@@ -68,7 +68,15 @@ Json place_json(const SimulationAnswer& answer, const LoadedScene& loaded, bool 
   json["runs"] = s.runs;
   json["lost"] = s.lost;
   if (s.covariances.empty()) return json;
-  json.update(covariance_json(names, s.covariances.front()));
+  if (const auto path = along_path(s)) {
+    json["predicted"] = by_state(names, path->predicted);
+    json["measured"] = by_state(names, path->measured);
+    json["ratio"] = by_state(names, path->measured.cwiseQuotient(path->predicted));
+    json["filter"] = by_state(names, path->filter);
+    json["blind"] = path->blind;
+  } else if (!along) {
+    json.update(covariance_json(names, s.covariances.front()));
+  }
   json["nees"] = consistency_json(s.instants.back().nees, s.nees_inside);
   json["nis"] = consistency_json(s.instants.back().nis, s.nis_inside);
   json["latency"] = number(s.time_constant);
@@ -77,9 +85,9 @@ Json place_json(const SimulationAnswer& answer, const LoadedScene& loaded, bool 
   json["coasting"] = s.coasting;
   json["longest_gap"] = s.longest_gap;
   json["dropped"] = s.dropped;
-  json["covariances"] = Json::object();
+  if (!along) json["covariances"] = Json::object();
   for (const SimulatedCovariance& c : s.covariances)
-    json["covariances"][c.name] = covariance_json(names, c);
+    if (!along) json["covariances"][c.name] = covariance_json(names, c);
   if (!along) return json;
   json["path"] = Json::array();
   for (const SimulatedInstant& at : s.instants)
@@ -140,6 +148,28 @@ StateVector deviation_errors(const SimulatedCovariance& c) {
   for (Eigen::Index i = 0; i < errors.size(); ++i)
     if (sigma(i) > 0) errors(i) /= 2 * sigma(i);
   return errors;
+}
+
+std::optional<AlongPath> along_path(const Simulation& simulation) {
+  AlongPath sum;
+  double count = 0;
+  for (const SimulatedInstant& at : simulation.instants) {
+    if (at.predicted.size() == 0) return std::nullopt;
+    if (!at.predicted.allFinite()) {
+      ++sum.blind;
+      continue;
+    }
+    if (count++ == 0) {
+      sum.predicted = sum.measured = sum.filter = StateVector::Zero(at.square.size());
+    }
+    sum.predicted += at.predicted;
+    sum.measured += at.square;
+    sum.filter += at.filter;
+  }
+  if (count == 0) return std::nullopt;
+  for (StateVector* of : {&sum.predicted, &sum.measured, &sum.filter})
+    *of = (*of / count).cwiseSqrt();
+  return sum;
 }
 
 Json simulation_json(const std::vector<SimulationAnswer>& answers,

@@ -44,6 +44,15 @@ struct SimulationAnswer {
 [[nodiscard]] StateVector deviations(const StateMatrix& P);
 [[nodiscard]] StateVector deviation_errors(const SimulatedCovariance& c);
 
+/// Roots of the means over a given path: of P∞ where the target was, of the squares of
+/// errors, of the filter's own variances.
+struct AlongPath {
+  StateVector predicted, measured, filter;
+  std::size_t blind = 0;  ///< instants without a finite P∞, which are left out
+};
+/// @returns nothing where no path was given, or P∞ is finite nowhere on it
+[[nodiscard]] std::optional<AlongPath> along_path(const Simulation& simulation);
+
 /// The contract's document (`simulate --json`).
 [[nodiscard]] Json simulation_json(const std::vector<SimulationAnswer>& answers,
                                    const LoadedScene& loaded,

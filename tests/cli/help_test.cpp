@@ -7,7 +7,7 @@ namespace delos::test {
 namespace {
 
 const std::vector<std::string> kCommands = {
-    "field",    "point", "compare",  "check",  "devices", "new-device",
+    "field",    "point", "compare",  "check",  "devices", "new-device", "simulate",
     "optimize", "study", "tradeoff", "report", "demo",    "explore"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {

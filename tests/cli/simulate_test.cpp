@@ -36,6 +36,32 @@ TEST(Simulate, PrintsPredictedMeasuredRatioAndNeesWithItsBand) {
   EXPECT_TRUE(point["covariances"].contains("posterior"));
 }
 
+/// Where the noise is small beside what bends the readings, filters are consistent:
+/// ranges, cameras, a HiBall at 1 kHz, UWB, bearings in a plane, inertial sensors on a
+/// target that turns.
+TEST(Simulate, FindsConsistentFiltersOnShippedScenes) {
+  const std::vector<std::vector<std::string>> commands = {
+      {"01-acoustic", "0.2,0.2,0.4", "400", "0.8"},
+      {"05-optitrack-lab", "0,0,1", "150", "0.2"},
+      {"15-uwb-anchors", "4,3,1.5", "150", "0.5"},
+      {"18-floor-robot", "3,3,0", "150", "20"},
+      {"19-inertial-camera", "1.5,1.5,1.3", "40", "0.2"},
+      {"hiball/six-lepd", "4.5,7.5,1.9", "60", "0.1"},
+  };
+  for (const auto& c : commands) {
+    const Finished done = run({"simulate", scene(c[0]), "--at", c[1], "--runs", c[2],
+                               "--seconds", c[3], "--covariance", "prior", "--json"});
+    ASSERT_EQ(done.code, 0) << c[0] << done.err;
+    const Json json = done.json();
+    const Json& nees = json["points"][0]["nees"];
+    // Within its band, widened by 5 % for what bends.
+    const double room = 0.05 * nees["expected"].get<double>();
+    EXPECT_GT(nees["mean"].get<double>(), nees["band"][0].get<double>() - room) << c[0];
+    EXPECT_LT(nees["mean"].get<double>(), nees["band"][1].get<double>() + room) << c[0];
+    EXPECT_LT(json["points"][0]["lost"].get<int>(), std::stoi(c[2]) / 20) << c[0];
+  }
+}
+
 TEST(Simulate, TakesTheBestMedianAndWorstPlace) {
   const Finished done =
       run({"simulate", scene("01-acoustic"), "--runs", "4", "--seconds", "0.2"});

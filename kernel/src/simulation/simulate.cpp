@@ -50,7 +50,7 @@ template <class Take>
 void each_bound(const MotionSteps& steps, const StateMatrix& root, const Tally& sums,
                 Take&& take) {
   StateMatrix P = root * root.transpose();
-  const auto runs = static_cast<double>(sums.runs - sums.lost);
+  const auto runs = static_cast<double>(sums.tracked);
   for (std::size_t i = 0; i < sums.instants.size(); ++i) {
     const MotionStep& motion = steps.slot(i).motion;
     P = (motion.A * P * motion.A.transpose()).eval() + motion.Q;
@@ -194,7 +194,7 @@ Simulation simulate(const System& system, const TargetPose& about,
   done.coasting = sums.coasting;
   done.longest_gap = sums.longest_gap;
   done.dropped = sums.dropped;
-  const std::size_t tracked = sums.runs - sums.lost;
+  const std::size_t tracked = sums.tracked;
   if (tracked < 2) return done;
 
   const auto count = static_cast<double>(tracked);

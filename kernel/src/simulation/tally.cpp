@@ -15,7 +15,7 @@ Tally::Tally(const Expectation& expected, std::size_t instants, int n, int state
 }
 
 void Tally::clear() {
-  runs = lost = coasting = dropped = 0;
+  runs = tracked = lost = coasting = dropped = 0;
   longest_gap = 0;
   for (InstantTally& i : instants) {
     i.at.setZero();
@@ -35,6 +35,7 @@ void Tally::clear() {
 
 void Tally::add(const Tally& more) {
   runs += more.runs;
+  tracked += more.tracked;
   lost += more.lost;
   coasting += more.coasting;
   dropped += more.dropped;

@@ -29,7 +29,9 @@ struct Tally {
   void clear();
   void add(const Tally& more);
 
-  std::size_t runs = 0, lost = 0, coasting = 0, dropped = 0;
+  /// Runs in all, and those that the sums below are of.
+  std::size_t runs = 0, tracked = 0;
+  std::size_t lost = 0, coasting = 0, dropped = 0;
   double longest_gap = 0;
   bool perfect = false;
   std::vector<InstantTally> instants;

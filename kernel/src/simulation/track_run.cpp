@@ -126,7 +126,10 @@ void TrackRuns::run(std::uint64_t number, Memory& memory, Tally& sums) const {
   const StateMatrix& P = expected_.states.back().posterior;
   bool lost = false;
   for (int k = 0; k < n_; ++k) lost |= !(error(k) * error(k) <= 100 * P(k, k) + 1e-300);
-  if (!lost) sums.add(tally);
+  // Along a given path, what is lost there is what one wants to see.
+  const bool counts = !lost || given_;
+  if (counts) sums.add(tally);
+  sums.tracked += counts;
   sums.lost += lost;
   sums.coasting += longest > steps_.cycle() * (1 + 1e-9);
   sums.longest_gap = std::max(sums.longest_gap, longest);

@@ -79,7 +79,8 @@ struct Simulation {
   std::optional<double> settled_after;  ///< seconds, see simulate()
   double nees_inside = 0, nis_inside = 0;  ///< part of the settled instants in band
   /// Runs that end more than 10 σ of P∞ off in some state, such as those that follow a
-  /// mirror image: they are in no mean. Where fewer than two are left there is none.
+  /// mirror image: they are in no mean but of a given path. Of fewer than two there is
+  /// none.
   std::size_t lost = 0;
   std::size_t coasting = 0;  ///< runs with a gap longer than a cycle between readings
   double longest_gap = 0;    ///< seconds without a reading, of all runs
