@@ -97,7 +97,7 @@ TEST(PluginRegistry, DevicesOutliveIt) {
 
 TEST(BadPlugin, WrongEpoch) {
   EXPECT_EQ(error_of("wrong_epoch"),
-            "was built with another plugin contract (kAbiEpoch 8, the kernel has 7); "
+            "was built with another plugin contract (kAbiEpoch 9, the kernel has 8); "
             "rebuild it with the kernel's headers");
 }
 
