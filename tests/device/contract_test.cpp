@@ -229,6 +229,23 @@ TEST_P(DeviceContract, NoiseIsSymmetricAndNotNegative) {
   }
 }
 
+// What points have in common is less than the noise of each.
+TEST_P(DeviceContract, SharedNoiseIsAPartOfTheNoise) {
+  const Eigen::Vector3d shared = device_->shared_variance();
+  if (shared.isZero(0)) return;
+  ASSERT_EQ(device_->span(), Span::point);
+  for (const Seen& t : cloud(*device_, 4000)) {
+    Observation out;
+    if (!observe(*device_, t, out)) continue;
+    ASSERT_LE(out.z.size(), 3);
+    ASSERT_TRUE(out.R.isDiagonal(0));
+    for (Eigen::Index r = 0; r < out.z.size(); ++r) {
+      ASSERT_GE(shared(r), 0);
+      ASSERT_LT(shared(r), out.R(r, r));
+    }
+  }
+}
+
 TEST_P(DeviceContract, ForgetsWhatOutHeldBefore) {
   Observation used;
   for (const Seen& t : cloud(*device_, 1000)) {

@@ -121,10 +121,10 @@ bool sees(const System& system, const PlacedDevice& placed, const TargetPose& X_
     target.p_ST = X_SW * X_WT.p;
     return placed.device->observe(target, out);
   }
-  for (const Eigen::Vector3d& marker : system.markers) {
-    target.p_ST = X_SW * (X_WT * marker);
+  for (const PlacedMarker& marker : system.markers) {
+    target.p_ST = X_SW * (X_WT * marker.p);
     if (placed.device->observe(target, out) &&
-        in_sight(system, placed.X_WS().p, X_WT, X_WT.R * marker))
+        in_sight(system, placed.X_WS().p, X_WT, marker))
       return true;
   }
   return false;

@@ -165,7 +165,7 @@ TEST(Layers, LeverArmsGiveTheJacobianOfOrientation) {
         Eigen::AngleAxisd(dtheta.norm(), dtheta.norm() > 0 ? dtheta.normalized()
                                                            : Eigen::Vector3d::UnitX())
             .toRotationMatrix();
-    return (pose.p + dp + turn * pose.R * system.markers[0] - X_WS.p).norm();
+    return (pose.p + dp + turn * pose.R * system.markers[0].p - X_WS.p).norm();
   };
   const double h = 1e-5, z = range({0, 0, 0}, {0, 0, 0});
   const WhitenedRows w = whitened_rows(system, pose);

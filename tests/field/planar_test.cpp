@@ -81,7 +81,7 @@ MatrixXd recursion(const System& system, double z, const Vector3d& pose) {
   MatrixXd H = MatrixXd::Zero(rows, n), R = MatrixXd::Zero(rows, rows);
   int row = 0;
   for (const Station& s : kStations) {
-    for (const Vector3d& marker : system.markers) {
+    for (const Vector3d& marker : {system.markers[0].p, system.markers[1].p}) {
       for (int i = 0; i < d; ++i) {
         const Vector3d step = 1e-5 * Vector3d::Unit(i);
         H(row, i) =

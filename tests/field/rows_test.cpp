@@ -73,7 +73,7 @@ MatrixXd rows_by_matrices(const System& system, Span span, const MatrixXd& H,
   MatrixXd all;
   if (span == Span::point) {
     MatrixXd lever(3, 6);
-    lever << MatrixXd::Identity(3, 3), -cross_matrix(X_WT.R * system.markers[0]);
+    lever << MatrixXd::Identity(3, 3), -cross_matrix(X_WT.R * system.markers[0].p);
     all = H * R_SW * lever;
   } else {
     all = H;

@@ -177,11 +177,11 @@ TEST(Sight, OfABoxHoldsAtAllItsPoints) {
     for (int i = 0; i < 3000; ++i) {
       const Eigen::Matrix3d R =
           rotation_from_rpy({3 * part(random), 3 * part(random), 3 * part(random)});
-      const Eigen::Vector3d arm = R * Eigen::Vector3d(0, 0, 0.05);
+      const PlacedMarker marker(0, 0, 0.05);
       const Eigen::Vector3d min(place(random), place(random), place(random));
       const Eigen::Vector3d sizes(size(random), size(random), size(random));
       const Eigen::AlignedBox3d box(min, min + sizes);
-      const Sight sight = sight_of_box(system, system.devices[0], R, arm, box);
+      const Sight sight = sight_of_box(system, system.devices[0], R, marker, box);
       ++said[static_cast<int>(sight)];
       if (sight == Sight::unknown) continue;
       for (int k = 0; k < 40; ++k) {
@@ -190,7 +190,7 @@ TEST(Sight, OfABoxHoldsAtAllItsPoints) {
             k < 8 ? Eigen::Vector3d(k & 1, k >> 1 & 1, k >> 2)
                   : Eigen::Vector3d(part(random), part(random), part(random));
         const TargetPose X_WT{R, min + t.cwiseProduct(sizes)};
-        ASSERT_EQ(in_sight(system, {0, 0, 0}, X_WT, arm), sight == Sight::clear)
+        ASSERT_EQ(in_sight(system, {0, 0, 0}, X_WT, marker), sight == Sight::clear)
             << "box " << i << ", point " << k;
       }
     }

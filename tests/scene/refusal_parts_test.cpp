@@ -220,8 +220,8 @@ std::vector<Bad> bad_parts() {
           "not 3 members")}},
       {"GroupPose",
        good_with("rig1: {at: [0, 0, 2]}", "rig1: {at: [0, 0, 2], yaw: 3}"),
-       {e("10:25: error: groups.rig1.yaw: unknown key; known: at, aim, rpy, "
-          "quaternion_wxyz")}},
+       {e("10:25: error: groups.rig1.yaw: unknown key; known: at, aim, roll, "
+          "rpy, quaternion_wxyz")}},
 
       // ---- parameters ----
       {"ParamUnknown",

@@ -19,7 +19,7 @@ CellView CellViews::decide(const Octree& tree, Octree::Index cell, std::size_t t
   const Sighting& s = sightings_.all[sighting];
   const PlacedDevice& placed = system_.devices[s.device];
   const Eigen::AlignedBox3d box = tree.box_of(cell);
-  const Eigen::Vector3d arm = orientations_[turn] * s.marker;
+  const Eigen::Vector3d arm = orientations_[turn] * s.marker.p;
   if (v.view == View::crossing) {
     v.view = View::unknown;
     if (s.by_rows) {
@@ -30,8 +30,9 @@ CellView CellViews::decide(const Octree& tree, Octree::Index cell, std::size_t t
   if (v.view == View::outside) return v;
   if (v.sight == Sight::unknown) {
     v.sight = !may_be_hidden(system_, placed) ? Sight::clear
-              : s.by_rows ? sight_of_box(system_, placed, orientations_[turn], arm, box)
-                          : Sight::unknown;
+              : s.by_rows
+                  ? sight_of_box(system_, placed, orientations_[turn], s.marker, box)
+                  : Sight::unknown;
   }
   return v;
 }

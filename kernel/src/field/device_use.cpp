@@ -39,8 +39,8 @@ class Asker {
     }
     return std::any_of(
         system_.markers.begin(), system_.markers.end(),
-        [&](const Eigen::Vector3d& marker) {
-          return observes(stretch * (R_SW_ * (X_WT * marker - placed_.X_WS().p)));
+        [&](const PlacedMarker& marker) {
+          return observes(stretch * (R_SW_ * (X_WT * marker.p - placed_.X_WS().p)));
         });
   }
   /// Whether it observes a target at p, in its own frame.

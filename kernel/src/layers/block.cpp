@@ -66,7 +66,7 @@ bool observe_lanes(const System& system, const PlacedDevice& placed,
                    std::span<const TargetPose> poses, double* layer,
                    std::uint64_t& seen, std::uint64_t& perfect) {
   PointRows rows;
-  for (const Eigen::Vector3d& marker : system.markers) {
+  for (const PlacedMarker& marker : system.markers) {
     if (!observe_rows(system, placed, marker, poses, nullptr, rows)) return false;
     add_information(rows, system.motion.layout.coordinates(), rows.seen(), layer);
     seen |= rows.seen();

@@ -37,7 +37,7 @@ void PoseViews::append(const PlacedDevice& placed, std::vector<std::int32_t>& po
     tells_balls_ = true;
     for (marker_ = 0; marker_ < system_.markers.size(); ++marker_)
       for (const std::uint32_t root : trees_.roots) {
-        arm_ = trees_.poses[trees_.nodes[root].first].R * system_.markers[marker_];
+        arm_ = trees_.poses[trees_.nodes[root].first].R * system_.markers[marker_].p;
         descend(placed, root, false, may_hide ? Sight::unknown : Sight::clear);
       }
   } else {
@@ -99,8 +99,8 @@ Sight PoseViews::sight_of(const PlacedDevice& placed, std::uint32_t at) {
   if (sights.asked[at] == SightsOfMarker::Asked::no) {
     const PoseTrees::Node& node = trees_.nodes[at];
     sights.asked[at] = SightsOfMarker::Asked::yes;
-    sights.node[at] =
-        sight_of_box(system_, placed, trees_.poses[node.first].R, arm_, node.box);
+    sights.node[at] = sight_of_box(system_, placed, trees_.poses[node.first].R,
+                                   system_.markers[marker_], node.box);
   }
   return sights.node[at];
 }
@@ -117,8 +117,10 @@ void PoseViews::see_block(const PlacedDevice& placed, const PoseTrees::Node& nod
     if (sight == Sight::unknown) {
       Sight& own = sights_[marker_].pose[i];
       if (own == Sight::unknown)
-        own = in_sight(system_, placed.X_WS().p, trees_.poses[i], arm_) ? Sight::clear
-                                                                        : Sight::hidden;
+        own = in_sight(system_, placed.X_WS().p, trees_.poses[i],
+                       system_.markers[marker_])
+                  ? Sight::clear
+                  : Sight::hidden;
       if (own == Sight::hidden) continue;
     }
     note(i);

@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 #include <utility>
+#include <vector>
 
 #include "delos/rig/system.h"
 #include "observe/answers.h"
 #include "observe/beacon_sightings.h"
 #include "observe/lever.h"
+#include "observe/shared_noise.h"
 #include "observe/state_row.h"
 #include "observe/whiten.h"
 #include "rig/sight.h"
@@ -19,6 +21,7 @@ struct MeasureScratch {
   Target target;
   Observation observation;
   StateRow row;
+  std::vector<StateRow> rows;  // that share a part of their noise
   BeaconSearch beacons;
 };
 
@@ -56,33 +59,63 @@ void set_own(const PlacedDevice& placed, const Row& row, StateRow& out) {
     out.h.segment(placed.own.first, placed.own.size) = row.tail(placed.own.size);
 }
 
-/// Visit every row about a marker in view.
+/// Visit every marker in view: `visit(arm)`, with the device's answer in the scratch.
 template <class Visit>
-bool measure_points(const System& system, const PlacedDevice& placed,
-                    const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
+bool each_marker(const System& system, const PlacedDevice& placed,
+                 const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
   const bool may_hide = may_be_hidden(system, placed);
   bool seen = false;
   scratch.target.R_ST.setIdentity();  // of another device before
   scratch.target.own.setZero(placed.own.size);
-  for (const Eigen::Vector3d& marker : system.markers) {
-    const Eigen::Vector3d arm = X_WT.R * marker;
+  for (const PlacedMarker& marker : system.markers) {
+    const Eigen::Vector3d arm = X_WT.R * marker.p;
     scratch.target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
     if (!observe_target(placed, 3 + placed.own.size, scratch.target,
                         scratch.observation))
       continue;
-    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, arm)) continue;
+    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, marker)) continue;
     seen = true;
-    whiten(scratch.observation.H, scratch.observation.R,
-           [&](const auto& row, double variance) {
-             const Eigen::Vector3d h = row.template head<3>().transpose();
-             pull_row<1>(system.motion.layout, placed.X_WS().R, h.data(), arm.data(),
-                         scratch.row.h.data());
-             set_own(placed, row, scratch.row);
-             scratch.row.variance = placed.noise * variance;
-             visit(std::as_const(scratch.row));
-           });
+    visit(arm);
   }
   return seen;
+}
+
+/// A row about a marker as one over the state.
+template <class Row>
+void fill_point_row(const System& system, const PlacedDevice& placed,
+                    const Eigen::Vector3d& arm, const Row& in_S, double variance,
+                    StateRow& out) {
+  const Eigen::Vector3d h = in_S.template head<3>().transpose();
+  pull_row<1>(system.motion.layout, placed.X_WS().R, h.data(), arm.data(),
+              out.h.data());
+  set_own(placed, in_S, out);
+  out.variance = placed.noise * variance;
+}
+
+/// Visit every row about a marker in view.
+template <class Visit>
+bool measure_points(const System& system, const PlacedDevice& placed,
+                    const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
+  const Observation& seen = scratch.observation;
+  if (shares_noise(placed)) {
+    scratch.rows.clear();
+    const auto add = [&](const Eigen::Vector3d& arm) {
+      for (Eigen::Index r = 0; r < seen.z.size(); ++r) {
+        fill_point_row(system, placed, arm, seen.H.row(r), seen.R(r, r), scratch.row);
+        scratch.rows.push_back(scratch.row);
+      }
+    };
+    const bool any = each_marker(system, placed, X_WT, scratch, add);
+    part_shared_noise(placed, static_cast<std::size_t>(seen.z.size()), scratch.rows);
+    for (const StateRow& row : scratch.rows) visit(row);
+    return any;
+  }
+  return each_marker(system, placed, X_WT, scratch, [&](const Eigen::Vector3d& arm) {
+    whiten(seen.H, seen.R, [&](const auto& row, double variance) {
+      fill_point_row(system, placed, arm, row, variance, scratch.row);
+      visit(std::as_const(scratch.row));
+    });
+  });
 }
 
 /// A row over pose, velocity, …, [δp, δθ] each, in S, as one over the state.
@@ -129,7 +162,7 @@ bool measure_motion(const System& system, const PlacedDevice& placed,
   if (!observe_target(placed, of_span + placed.own.size, target, scratch.observation))
     return false;
   if (!carried && may_be_hidden(system, placed) &&
-      !in_sight(system, X_WS.p, X_WT, {0, 0, 0}))
+      !in_sight(system, X_WS.p, X_WT, Eigen::Vector3d(Eigen::Vector3d::Zero())))
     return false;
   const int orders = span == Span::motion ? layout.order : 1;
   StateRow& row = scratch.row;

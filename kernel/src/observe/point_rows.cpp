@@ -7,6 +7,7 @@
 #include "delos/model/wide.h"
 #include "observe/answers.h"
 #include "observe/lever.h"
+#include "observe/shared_noise.h"
 #include "observe/whiten.h"
 
 namespace delos {
@@ -58,16 +59,14 @@ std::uint64_t fill_weights(const double* variance, double noise, const double* s
 }
 
 /// Lanes in view whose marker something hides.
-void look(const System& system, const PlacedDevice& placed,
-          std::span<const TargetPose> poses, const Vectors& arm, const Sight* sight,
-          PointRows& out) {
+void look(const System& system, const PlacedDevice& placed, const PlacedMarker& marker,
+          std::span<const TargetPose> poses, const Sight* sight, PointRows& out) {
   for (std::uint64_t left = out.in_view; left != 0; left &= left - 1) {
     const auto l = static_cast<std::size_t>(std::countr_zero(left));
     bool clear = sight && sight[l] == Sight::clear;
     if (!sight || sight[l] == Sight::unknown) {
       ++out.rays;
-      clear = in_sight(system, placed.X_WS().p, poses[l],
-                       {arm[0][l], arm[1][l], arm[2][l]});
+      clear = in_sight(system, placed.X_WS().p, poses[l], marker);
     }
     if (!clear) out.hidden |= std::uint64_t{1} << l;
   }
@@ -75,11 +74,11 @@ void look(const System& system, const PlacedDevice& placed,
 
 /// What a device answers of one marker at up to kLanes poses.
 /// @returns false where it has no entry for many points, or sees beacons
-bool ask_lanes(const PlacedDevice& placed, const Eigen::Vector3d& marker,
+bool ask_lanes(const PlacedDevice& placed, const PlacedMarker& marker,
                std::span<const TargetPose> poses, Vectors& arm, PointLanes& points,
                RowLanes& rows) {
   if (placed.carried() || placed.device->span() != Span::point) return false;
-  if (!marker.isZero(0)) fill_arms(poses, marker, arm);
+  if (!marker.p.isZero(0)) fill_arms(poses, marker.p, arm);
   fill_points(placed.X_WS(), poses, arm, points);
   if (!ask(placed,
            [&](const Device& device) { return device.observe_lanes(points, rows); }))
@@ -90,7 +89,7 @@ bool ask_lanes(const PlacedDevice& placed, const Eigen::Vector3d& marker,
 
 }  // namespace
 
-bool points_in_view(const PlacedDevice& placed, const Eigen::Vector3d& marker,
+bool points_in_view(const PlacedDevice& placed, const PlacedMarker& marker,
                     std::span<const TargetPose> poses, std::uint64_t& in_view) {
   PointLanes points;
   RowLanes rows;
@@ -104,12 +103,13 @@ bool points_in_view(const PlacedDevice& placed, const Eigen::Vector3d& marker,
 }
 
 bool observe_rows(const System& system, const PlacedDevice& placed,
-                  const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
+                  const PlacedMarker& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out) {
   PointLanes points;
   RowLanes rows;
   Vectors arm = {};
   if (placed.clock || placed.own.size > 0) return false;  // more columns
+  if (shares_noise(placed)) return false;                 // with other markers
   if (!ask_lanes(placed, marker, poses, arm, points, rows)) return false;
   out.rows = rows.rows;
   out.in_view = bits(rows.seen, points.count);
@@ -130,7 +130,7 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
       check_perfect(placed, rows.variance[r][std::countr_zero(left)]);
     out.perfect |= perfect[r];
   }
-  if (may_be_hidden(system, placed)) look(system, placed, poses, arm, sight, out);
+  if (may_be_hidden(system, placed)) look(system, placed, marker, poses, sight, out);
   return true;
 }
 

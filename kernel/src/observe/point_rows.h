@@ -24,16 +24,16 @@ struct PointRows {
 
 /// Observe one marker at up to kLanes poses.
 /// @param sight one a pose, or nullptr: what is known of the sight line
-/// @returns false where the device has no entry for many points, sees beacons, or has a
-/// clock
+/// @returns false where the device has no entry for many points, sees beacons, has a
+/// clock, or markers share its noise
 bool observe_rows(const System& system, const PlacedDevice& placed,
-                  const Eigen::Vector3d& marker, std::span<const TargetPose> poses,
+                  const PlacedMarker& marker, std::span<const TargetPose> poses,
                   const Sight* sight, PointRows& out);
 
 /// Which of up to kLanes poses have one marker in a device's view, a bit each, whatever
 /// hides it.
 /// @returns false as observe_rows()
-bool points_in_view(const PlacedDevice& placed, const Eigen::Vector3d& marker,
+bool points_in_view(const PlacedDevice& placed, const PlacedMarker& marker,
                     std::span<const TargetPose> poses, std::uint64_t& in_view);
 
 /// S += Σ hᵀ h / r at the lanes of a mask.

@@ -15,7 +15,7 @@ Sightings::Sightings(const System& system) {
     const bool by_rows = observe_rows(system, system.devices[i], {0, 0, 0},
                                       {&anywhere, 1}, nullptr, rows);
     if (by_rows) {
-      for (const Eigen::Vector3d& marker : system.markers) {
+      for (const PlacedMarker& marker : system.markers) {
         const auto numbers =
             static_cast<std::size_t>(rows.rows) * static_cast<std::size_t>(coordinates);
         all.push_back({i, marker, true, rows.rows, coordinates, record, numbers});

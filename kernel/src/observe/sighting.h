@@ -18,7 +18,7 @@ namespace delos {
 /// S itself, where the device sees the target at all nodes.
 struct Sighting {
   std::size_t device = 0;
-  Eigen::Vector3d marker = Eigen::Vector3d::Zero();
+  PlacedMarker marker;
   bool by_rows = false;
   int rows = 0;             ///< where by_rows
   int columns = 0;          ///< of a row, or of S

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "observe/answers.h"
@@ -81,20 +82,42 @@ bool SoftInformation::out_of_view(const Device& device,
   return device.view_of_ball(p, unseen_margin_ * p.norm()) == View::outside;
 }
 
+// Of a cone of the half-angle α, β off its axis, n, the margin is that of a view:
+//
+//   m = sin(α − β), of at most a right angle,  cos β = n·w/|w|,  ∂β/∂w = −(n − cos β
+//   w/|w|)/(|w| sin β)
+//
+// w is the way from the marker to the device.
+Sightline SoftInformation::facing(const PlacedDevice& placed, const TargetPose& X_WT,
+                                  const PlacedMarker& marker) const {
+  if (marker.faces_all_ways()) return {1, Eigen::Vector3d::Zero()};
+  const Eigen::Vector3d way = placed.X_WS().p - X_WT * marker.p,
+                        normal = X_WT.R * marker.normal;
+  const double distance = way.norm(), along = normal.dot(way) / distance,
+               aside = normal.cross(way).norm() / distance;
+  const double off = std::clamp(marker.half_angle - std::atan2(aside, along),
+                                -std::numbers::pi / 2, std::numbers::pi / 2);
+  const double v = view(std::sin(off));
+  if (width_ == 0 || aside == 0) return {v, Eigen::Vector3d::Zero()};
+  const Eigen::Vector3d turn = (normal - along / distance * way) / (distance * aside);
+  return {v, 4 / width_ * v * (1 - v) * std::cos(off) * turn};
+}
+
 Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPose& X_WT,
-                                     const Eigen::Vector3d& arm) const {
-  Sightline line{1, Eigen::Vector3d::Zero()};
-  if (!may_be_hidden(system_, placed)) return line;
-  if (!in_sight(system_, placed.X_WS().p, X_WT, arm))
+                                     const PlacedMarker& marker) const {
+  if (!may_be_hidden(system_, placed)) return {1, Eigen::Vector3d::Zero()};
+  Sightline line = facing(placed, X_WT, marker);
+  const Eigen::Vector3d arm = X_WT.R * marker.p;
+  if (line.visibility == 0 || !in_sight(system_, placed.X_WS().p, X_WT, arm))
     return {0, Eigen::Vector3d::Zero()};
   if (width_ == 0) return line;
 
-  const Eigen::Vector3d device = placed.X_WS().p, marker = X_WT.p + arm;
-  const double length = (marker - device).norm();
+  const Eigen::Vector3d device = placed.X_WS().p, place = X_WT.p + arm;
+  const double length = (place - device).norm();
   const double limit = kShadowPart * width_ * length;
   const auto soften = [&](const Clearance& bodies, const Pose& X_BW) {
     if (bodies.empty()) return;
-    const Eigen::Vector3d a = X_BW * device, d = X_BW * marker - a;
+    const Eigen::Vector3d a = X_BW * device, d = X_BW * place - a;
     const Passage at = bodies.passage(a + kEndPart * d, a + (1 - kEndPart) * d, limit);
     if (!(at.distance < limit)) return;
     // x = distance/limit, and both change with the device.
@@ -102,7 +125,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
     const double part = kEndPart + (1 - 2 * kEndPart) * at.part;
     const Eigen::Vector3d away = X_BW.R.transpose() * at.away;
     const Eigen::Vector3d x_slope =
-        (1 - part) / limit * away + x / (length * length) * (marker - device);
+        (1 - part) / limit * away + x / (length * length) * (place - device);
     const double v = x * x * (3 - 2 * x);
     line.slope = v * line.slope + line.visibility * 6 * x * (1 - x) * x_slope;
     line.visibility *= v;
@@ -115,7 +138,7 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
   return !placed.carried() && !placed.clock && placed.own.size == 0 &&
-         placed.device->span() == Span::point &&
+         placed.device->span() == Span::point && !shares_noise(placed) &&
          observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 
@@ -124,14 +147,15 @@ std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& plac
                                                         const TargetPose& X_WT,
                                                         Sightline* lines, StateRow& row,
                                                         Visit&& visit) const {
-  if (placed.carried() || placed.own.size > 0 || placed.device->span() != Span::point)
+  if (placed.carried() || placed.own.size > 0 || placed.device->span() != Span::point ||
+      shares_noise(placed))
     return std::nullopt;
   row.h.setZero(columns_);
   if (placed.clock) row.h(*placed.clock) = 1;
   double unseen = 1;
   SmoothRows rows;
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
-    const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
+    const Eigen::Vector3d arm = X_WT.R * system_.markers[m].p;
     const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
     Sightline& line = lines[m];
     if (line.visibility == 0 || p.isZero(0)) continue;
@@ -141,7 +165,8 @@ std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& plac
     }
     if (!observe_smoothly(placed, p, rows)) return std::nullopt;
     const double v = view(rows.margin);
-    if (v > 0 && line.visibility < 0) line = sightline(placed, X_WT, arm);
+    if (v > 0 && line.visibility < 0)
+      line = sightline(placed, X_WT, system_.markers[m]);
     row.share = v * line.visibility;
     if (row.share == 0) continue;
     unseen *= 1 - row.share;
@@ -164,7 +189,7 @@ double SoftInformation::unseen_by_others(const PlacedDevice& placed,
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     if (m == marker || !(lines[m].visibility > 0)) continue;
     const Eigen::Vector3d p =
-        seen_at(placed.X_WS(), X_WT.p, X_WT.R * system_.markers[m]);
+        seen_at(placed.X_WS(), X_WT.p, X_WT.R * system_.markers[m].p);
     if (p.isZero(0) || !observe_smoothly(placed, p, rows)) continue;
     unseen *= 1 - view(rows.margin) * lines[m].visibility;
   }
@@ -204,7 +229,7 @@ PoseSlope SoftInformation::slope(const PlacedDevice& placed, const TargetPose& X
   for (std::size_t m = 0; m < system_.markers.size(); ++m) {
     const Sightline& line = lines[m];
     if (!(line.visibility > 0)) continue;
-    const Eigen::Vector3d arm = X_WT.R * system_.markers[m];
+    const Eigen::Vector3d arm = X_WT.R * system_.markers[m].p;
     const Eigen::Vector3d from = X_WT.p + arm - placed.X_WS().p;
     const Eigen::Vector3d p = seen_at(placed.X_WS(), X_WT.p, arm);
     if (p.isZero(0) || !observe_smoothly(placed, p, rows)) continue;

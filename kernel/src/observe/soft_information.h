@@ -20,7 +20,8 @@ struct SoftOccluders {
   Clearance on_target;                 ///< in the target's frame T
 };
 
-/// A visibility by what hides, and how it changes with the device's place in W.
+/// A visibility by what hides and by how the marker faces, and how it changes with the
+/// device's place in W.
 struct Sightline {
   double visibility = -1;  ///< below 0: nobody has looked yet; 0: unseen or out of view
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
@@ -51,7 +52,9 @@ class SoftInformation {
 
  private:
   [[nodiscard]] Sightline sightline(const PlacedDevice& placed, const TargetPose& X_WT,
-                                    const Eigen::Vector3d& arm) const;
+                                    const PlacedMarker& marker) const;
+  [[nodiscard]] Sightline facing(const PlacedDevice& placed, const TargetPose& X_WT,
+                                 const PlacedMarker& marker) const;
   /// measure() of rows that an update has as far as the marker is visible.
   /// @returns as add(), or nullopt where the device has no observe_smoothly()
   template <class Visit>

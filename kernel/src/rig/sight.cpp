@@ -1,5 +1,7 @@
 #include "rig/sight.h"
 
+#include <algorithm>
+
 namespace delos {
 namespace {
 
@@ -18,11 +20,24 @@ Eigen::AlignedBox3d turned(const Eigen::Matrix3d& R, const Eigen::AlignedBox3d& 
   return {middle - half, middle + half};
 }
 
+/// Whether a marker faces the device from all over a box, by the ball around it.
+Sight faced_by_box(const Eigen::Vector3d& device, const Eigen::Matrix3d& R_WT,
+                   const PlacedMarker& marker, const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d way = R_WT.transpose() * (device - box.center()) - marker.p;
+  // Rounding may not turn a touch into a certainty.
+  const double radius = box.diagonal().norm() / 2 + 1e-9 * way.norm();
+  const double margin = marker.margin(way);
+  if (margin < -radius) return Sight::hidden;
+  return margin > radius ? Sight::clear : Sight::unknown;
+}
+
 }  // namespace
 
 bool may_be_hidden(const System& system, const PlacedDevice& placed) {
   return placed.device->needs_sight() &&
-         system.in_world.triangles() + system.on_target.triangles() > 0;
+         (system.in_world.triangles() + system.on_target.triangles() > 0 ||
+          std::any_of(system.markers.begin(), system.markers.end(),
+                      [](const PlacedMarker& m) { return !m.faces_all_ways(); }));
 }
 
 bool in_sight(const System& system, const Eigen::Vector3d& in_world,
@@ -36,10 +51,24 @@ bool in_sight(const System& system, const Eigen::Vector3d& in_world,
   return !system.on_target.blocks(R_TW * (in_world - X_WT.p), R_TW * arm, system.skin);
 }
 
+bool in_sight(const System& system, const Eigen::Vector3d& device,
+              const TargetPose& X_WT, const PlacedMarker& marker) {
+  if (!marker.faces_all_ways() &&
+      !(marker.margin(X_WT.R.transpose() * (device - X_WT.p) - marker.p) >= 0))
+    return false;
+  return in_sight(system, device, X_WT, Eigen::Vector3d(X_WT.R * marker.p));
+}
+
 Sight sight_of_box(const System& system, const PlacedDevice& placed,
-                   const Eigen::Matrix3d& R_WT, const Eigen::Vector3d& arm,
+                   const Eigen::Matrix3d& R_WT, const PlacedMarker& marker,
                    const Eigen::AlignedBox3d& box) {
   const Eigen::Vector3d& device = placed.X_WS().p;
+  const Eigen::Vector3d arm = R_WT * marker.p;
+  if (!marker.faces_all_ways()) {
+    // Where it isn't known, what else hides isn't asked.
+    const Sight faces = faced_by_box(device, R_WT, marker, box);
+    if (faces != Sight::clear) return faces;
+  }
   const Sight world = sight_from(system.in_world, device,
                                  {box.min() + arm, box.max() + arm}, system.skin);
   if (world == Sight::hidden || system.on_target.triangles() == 0) return world;

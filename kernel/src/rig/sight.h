@@ -18,7 +18,8 @@ enum class Sight : std::uint8_t {
   hidden,   ///< something is
 };
 
-/// Whether the scene has anything that may hide the target from this device.
+/// Whether the scene has anything that may hide the target from this device: bodies, or
+/// markers that may face away.
 [[nodiscard]] bool may_be_hidden(const System& system, const PlacedDevice& placed);
 
 /// Whether nothing stands between something in the world and something on the target:
@@ -30,12 +31,18 @@ enum class Sight : std::uint8_t {
                                       const TargetPose& X_WT,
                                       const Eigen::Vector3d& arm);
 
+/// The same of a device in the world and a marker, which must face it, too.
+[[nodiscard]] DELOS_API bool in_sight(const System& system,
+                                      const Eigen::Vector3d& device,
+                                      const TargetPose& X_WT,
+                                      const PlacedMarker& marker);
+
 /// The same for all positions of the target in a box at one orientation R_WT: clear and
 /// hidden hold for every one of them, unknown where they differ or nobody can say.
 [[nodiscard]] DELOS_API Sight sight_of_box(const System& system,
                                            const PlacedDevice& placed,
                                            const Eigen::Matrix3d& R_WT,
-                                           const Eigen::Vector3d& arm,
+                                           const PlacedMarker& marker,
                                            const Eigen::AlignedBox3d& box);
 
 /// Whether a point is inside a solid of the world, or on its surface.

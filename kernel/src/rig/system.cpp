@@ -137,6 +137,23 @@ std::optional<int> clock_of(const Scene& scene, const DeviceEntry& entry,
   return motion.layout.size() - 1;
 }
 
+/// The scene's markers, then those of its bodies.
+std::vector<PlacedMarker> placed_markers(const Scene& scene) {
+  std::vector<PlacedMarker> markers(scene.markers.begin(), scene.markers.end());
+  for (const MarkerBody& body : scene.bodies) {
+    const Pose X_TB = pose_of(body.placement);
+    for (const MarkerEntry& entry : body.markers) {
+      PlacedMarker marker = X_TB * entry.at;
+      if (entry.normal) {
+        marker.normal = X_TB.R * entry.normal->stableNormalized();
+        marker.half_angle = entry.half_angle.value_or(body.half_angle);
+      }
+      markers.push_back(marker);
+    }
+  }
+  return markers;
+}
+
 }  // namespace
 
 System::System() = default;
@@ -158,7 +175,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
   system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
   system.own_metrics = known_metrics(scene).own;
-  system.markers = scene.markers;
+  system.markers = placed_markers(scene);
   system.skin = scene.skin;
   system.occluders = all_occluders(scene);
   if (previous && previous->occluders == system.occluders) {

@@ -61,6 +61,7 @@ class Successors {
     if (begins(".at.")) return !device.mounting;
     if (begins(".coordinates.")) return device.mounting.has_value();
     if (begins(".aim.")) return std::holds_alternative<Aim>(facing);
+    if (rest == ".roll") return std::holds_alternative<Aim>(facing);
     if (begins(".rpy.")) return std::holds_alternative<Rpy>(facing);
     if (begins(".quaternion_wxyz."))
       return std::holds_alternative<QuaternionWxyz>(facing);

@@ -18,12 +18,7 @@ namespace {
 
 using Written = std::optional<Node>;
 
-constexpr std::array<Key<Group>, 4> kGroupKeys = {{
-    kAtKey<Group>,
-    kAimKey<Group>,
-    kRpyKey<Group>,
-    kQuaternionKey<Group>,
-}};
+constexpr auto kGroupKeys = kPlacementKeys<Group>;
 
 void read_rate(Reader& reader, const Place& at, DeviceEntry& out) {
   const auto rate = reader.number(at, "1/s");
@@ -70,7 +65,7 @@ Written write_seen_beacons(const DeviceEntry& d) {
   return to_node(std::move(names));
 }
 
-constexpr std::array<Key<DeviceEntry>, 18> kDeviceKeys = {{
+constexpr std::array<Key<DeviceEntry>, 19> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -157,6 +152,7 @@ constexpr std::array<Key<DeviceEntry>, 18> kDeviceKeys = {{
     {"coordinates", Need::optional, "where on the surface, numbers from 0 to 1",
      read_coordinates, write_coordinates},
     kAimKey<DeviceEntry>,
+    kRollKey<DeviceEntry>,
     kRpyKey<DeviceEntry>,
     kQuaternionKey<DeviceEntry>,
     {"params", Need::optional, "the plugin's own parameters", nullptr,

@@ -41,7 +41,7 @@ class Walk {
     if (room == "occluders") return of_placement(member(scene.occluders).placement);
     if (room == "surfaces") return of_surface(member(scene.surfaces));
     if (room == "target") {
-      next({"markers"});
+      if (next({"markers", "bodies"}) == "bodies") return of_body(member(scene.bodies));
       return vector(scene.markers[index(scene.markers.size())], "m");
     }
     next({"q"});
@@ -98,7 +98,7 @@ class Walk {
 
   /// The key by which a placement says how it faces; none where it doesn't.
   static std::vector<std::string> facing_words(const Placement& placement) {
-    if (std::holds_alternative<Aim>(placement.facing)) return {"aim"};
+    if (std::holds_alternative<Aim>(placement.facing)) return {"aim", "roll"};
     if (std::holds_alternative<Rpy>(placement.facing)) return {"rpy"};
     if (std::holds_alternative<QuaternionWxyz>(placement.facing))
       return {"quaternion_wxyz"};
@@ -115,6 +115,8 @@ class Walk {
     constexpr double kPi = std::numbers::pi;
     if (key == "at") return vector(placement.at, "m");
     if (key == "aim") return vector(std::get<Aim>(placement.facing).at, "m");
+    if (key == "roll")
+      return end(std::get<Aim>(placement.facing).roll, "rad", -kPi, kPi);
     if (key == "rpy") {
       const std::string& part = next({"roll", "pitch", "yaw"});
       Eigen::Vector3d& angles = std::get<Rpy>(placement.facing).angles;
@@ -126,6 +128,14 @@ class Walk {
     const std::string& part = next({"w", "x", "y", "z"});
     Eigen::Vector4d& q = std::get<QuaternionWxyz>(placement.facing).wxyz;
     return end(q(part == "w" ? 0 : part[0] - 'x' + 1), "1", -1, 1);
+  }
+
+  SceneNumber of_body(MarkerBody& body) {
+    std::vector<std::string> words = facing_words(body.placement);
+    words.insert(words.end(), {"at", "half_angle"});
+    const std::string& key = next(std::move(words));
+    if (key != "half_angle") return of_facing(key, body.placement);
+    return end(body.half_angle, "rad", 0, std::numbers::pi);
   }
 
   SceneNumber of_device(DeviceEntry& device) {

@@ -13,10 +13,6 @@ namespace {
 
 using Written = std::optional<Node>;
 
-template <class T>
-constexpr std::array<Key<T>, 4> kPlacementKeys = {
-    {kAtKey<T>, kAimKey<T>, kRpyKey<T>, kQuaternionKey<T>}};
-
 constexpr std::array<Key<OccluderEntry>, 1> kNameKey = {{
     {"name", Need::optional, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, OccluderEntry& o) {

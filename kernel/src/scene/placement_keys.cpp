@@ -17,6 +17,12 @@ void read_aim(Reader& reader, const Place& at, Placement& out) {
   if (const auto v = reader.vector3(at, "m")) out.facing = Aim{*v};
 }
 
+// Read after `aim`; check_facing() tells where there is none.
+void read_roll(Reader& reader, const Place& at, Placement& out) {
+  const auto roll = reader.angle(at);
+  if (auto* aim = std::get_if<Aim>(&out.facing); aim && roll) aim->roll = *roll;
+}
+
 void read_rpy(Reader& reader, const Place& at, Placement& out) {
   if (const auto v = reader.vector3(at, "rad", kAngles)) out.facing = Rpy{*v};
 }
@@ -51,6 +57,12 @@ std::optional<Node> write_aim(const Placement& placement) {
   return vector_node(aim->at);
 }
 
+std::optional<Node> write_roll(const Placement& placement) {
+  const auto* aim = std::get_if<Aim>(&placement.facing);
+  if (!aim || aim->roll == 0) return std::nullopt;
+  return to_node(aim->roll);
+}
+
 std::optional<Node> write_rpy(const Placement& placement) {
   const auto* rpy = std::get_if<Rpy>(&placement.facing);
   if (!rpy) return std::nullopt;
@@ -79,8 +91,11 @@ void check_facing(Reader& reader, const Place& at, const Placement& placement,
           "the orientation is given by '" + given + "' already; keep one");
     given = key;
   }
-  const auto* aim = std::get_if<Aim>(&placement.facing);
   const Node* node = at.node().find("aim");
+  if (const Node* roll = at.node().find("roll"); roll && !node)
+    reader.error_within(at, roll->mark, "roll",
+                        "goes with 'aim'; the roll of 'rpy' is its first angle");
+  const auto* aim = std::get_if<Aim>(&placement.facing);
   if (aim && node && p && aim->at == *p)
     reader.error_within(at, node->mark, "aim",
                         p == &placement.at

@@ -1,4 +1,4 @@
-// Where something is: the keys at, aim, rpy and quaternion_wxyz.
+// Where something is: the keys at, aim, roll, rpy and quaternion_wxyz.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,13 @@ namespace delos {
 
 void read_at(Reader& reader, const Place& at, Placement& out);
 void read_aim(Reader& reader, const Place& at, Placement& out);
+void read_roll(Reader& reader, const Place& at, Placement& out);
 void read_rpy(Reader& reader, const Place& at, Placement& out);
 void read_quaternion(Reader& reader, const Place& at, Placement& out);
 
 [[nodiscard]] std::optional<Node> write_at(const Placement& placement);
 [[nodiscard]] std::optional<Node> write_aim(const Placement& placement);
+[[nodiscard]] std::optional<Node> write_roll(const Placement& placement);
 [[nodiscard]] std::optional<Node> write_rpy(const Placement& placement);
 [[nodiscard]] std::optional<Node> write_quaternion(const Placement& placement);
 
@@ -38,6 +40,11 @@ inline constexpr Key<T> kAimKey = {
     [](Reader& r, const Place& p, T& t) { read_aim(r, p, t.placement); },
     [](const T& t) { return write_aim(t.placement); }};
 template <class T>
+inline constexpr Key<T> kRollKey = {
+    "roll", Need::optional, "a turn about the z axis, of what is aimed",
+    [](Reader& r, const Place& p, T& t) { read_roll(r, p, t.placement); },
+    [](const T& t) { return write_roll(t.placement); }};
+template <class T>
 inline constexpr Key<T> kRpyKey = {
     "rpy", Need::optional, "orientation as [roll, pitch, yaw], Rz·Ry·Rx",
     [](Reader& r, const Place& p, T& t) { read_rpy(r, p, t.placement); },
@@ -48,5 +55,8 @@ inline constexpr Key<T> kQuaternionKey = {
     "orientation as [w, x, y, z], of any length but 0",
     [](Reader& r, const Place& p, T& t) { read_quaternion(r, p, t.placement); },
     [](const T& t) { return write_quaternion(t.placement); }};
+template <class T>
+inline constexpr std::array<Key<T>, 5> kPlacementKeys = {
+    {kAtKey<T>, kAimKey<T>, kRollKey<T>, kRpyKey<T>, kQuaternionKey<T>}};
 
 }  // namespace delos

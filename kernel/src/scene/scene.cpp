@@ -31,7 +31,8 @@ Pose pose_of(const Placement& placement) {
     pose.R = Eigen::Quaterniond(u[0], u[1], u[2], u[3]).toRotationMatrix();
   }
   if (const auto* aim = std::get_if<Aim>(&placement.facing))
-    pose.R = rotation_from_aim(placement.at, aim->at);
+    pose.R =
+        rotation_from_aim(placement.at, aim->at) * rotation_from_rpy({0, 0, aim->roll});
   return pose;
 }
 

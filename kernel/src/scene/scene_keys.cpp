@@ -17,6 +17,7 @@
 #include "scene/sample_keys.h"
 #include "scene/search_keys.h"
 #include "scene/surface_keys.h"
+#include "scene/target_keys.h"
 #include "scene/words.h"
 #include "text/number_text.h"
 
@@ -43,19 +44,6 @@ void read_format(Reader& reader, const Place& at, SceneDraft&) {
                          "it reads " +
                          std::to_string(kFormat));
 }
-
-// ---- target ----
-
-constexpr std::array<Key<Scene>, 1> kTargetKeys = {{
-    {"markers", Need::optional,
-     "points on the target [[x, y, z], …], metres, in its frame",
-     [](Reader& r, const Place& p, Scene& s) {
-       if (auto markers = r.vectors3(p, "m")) s.markers = std::move(*markers);
-     },
-     [](const Scene& s) -> Written { return to_node(s.markers); }},
-}};
-
-// ---- the scene ----
 
 void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
   const auto skin = reader.number(at, "m");
@@ -133,13 +121,8 @@ constexpr std::array<Key<SceneDraft>, 23> kSceneKeys = {{
      },
      [](const SceneDraft& d) -> Written { return to_node(d.scene.metric); }},
     {"target", Need::optional, "the thing that is tracked",
-     [](Reader& r, const Place& p, SceneDraft& d) {
-       read_map(r, p, kTargetKeys, d.scene);
-     },
-     [](const SceneDraft& d) -> Written {
-       if (d.scene.markers == Scene{}.markers) return std::nullopt;
-       return write_map(kTargetKeys, d.scene);
-     }},
+     [](Reader& r, const Place& p, SceneDraft& d) { read_target(r, p, d.scene); },
+     [](const SceneDraft& d) { return write_target(d.scene); }},
     {"groups", Need::optional, "poses that their members are relative to",
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_groups(r, p, d.scene.groups);

@@ -115,8 +115,7 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
   }
   const bool may_hide = may_be_hidden(system, placed);
   for (std::size_t m = 0; m < system.markers.size(); ++m) {
-    if (may_hide &&
-        !in_sight(system, placed.X_WS().p, X_WT, X_WT.R * system.markers[m]))
+    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, system.markers[m]))
       continue;
     reading.of = m;
     add();

@@ -195,7 +195,7 @@ bool ReadingModel::predict(const TrackReading& reading, const StateVector& x,
   };
   const TargetMount* carried = placed.carried();
   if (!carried) {
-    const Eigen::Vector3d arm = X_WT.R * system_.markers[reading.of];
+    const Eigen::Vector3d arm = X_WT.R * system_.markers[reading.of].p;
     target.p_ST = seen_at(placed.X_WS(), X_WT.p, arm);
     target.n_ST.setZero();
     if (!observe_target(placed, 3 + placed.own.size, target, out.answer)) return false;

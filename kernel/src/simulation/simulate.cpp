@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "observe/shared_noise.h"
 #include "parallel/first_failure.h"
 #include "simulation/expectation.h"
 #include "simulation/given_states.h"
@@ -79,6 +80,11 @@ void check_simulated(const System& system, const SimulationOptions& options) {
     throw std::invalid_argument(
         "readings that take time aren't simulated along a given path; leave exposure "
         "out");
+  for (const PlacedDevice& placed : system.devices)
+    if (shares_noise(placed) && system.markers.size() > 1)
+      throw std::invalid_argument(
+          "noise that markers share isn't simulated, such as that of " + placed.name +
+          "; leave its shared part out, or use one marker");
   if (options.path && system.motion.layout.positions() == 0)
     throw std::invalid_argument(
         "a path gives positions, which this motion has none of");

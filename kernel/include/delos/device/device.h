@@ -150,7 +150,15 @@ class DELOS_API Device {
   /// @returns false when it is out of reach or view; `out` is then unspecified.
   [[nodiscard]] virtual bool observe(const Target& target, Observation& out) const = 0;
 
-  /// The same for many points at once: a faster way, for Span::point, of rows whose
+  /// The part of each row's variance that all points seen in one update have in common,
+  /// as the jitter of a rotor that sweeps over them: of row r, two points' readings
+  /// have this covariance. observe()'s R, of one point, holds it, and is diagonal then.
+  /// @returns of the rows of a Span::point, measurement units squared, ≥ 0 and less
+  /// than
+  ///          the variance itself; zero, as here: points have nothing in common
+  [[nodiscard]] virtual Eigen::Vector3d shared_variance() const;
+
+  /// observe() of many points at once: a faster way, for Span::point, of rows whose
   /// noise is independent and that depend on the point alone. Best written as loops
   /// over all kLanes, which compilers turn into vector instructions.
   /// @returns false where the device has no such way, as here: observe() is asked then.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -19,6 +21,37 @@
 #include "delos/scene/scene.h"
 
 namespace delos {
+
+/// A point on the target that point devices observe.
+struct PlacedMarker {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< in the target's frame T, metres
+  /// Which way it faces, a unit vector in T; zero: all ways.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double half_angle = 0;  ///< about the normal, from where it is seen, radians
+
+  PlacedMarker() = default;
+  // Implicit: a marker that is seen from all around.
+  // NOLINTBEGIN(google-explicit-constructor)
+  template <class Place>
+  PlacedMarker(const Eigen::MatrixBase<Place>& at) : p(at) {}
+  // NOLINTEND(google-explicit-constructor)
+  PlacedMarker(double x, double y, double z) : p(x, y, z) {}
+
+  /// How far a point is inside the cone from where the marker is seen, metres, at least
+  /// 0 inside. It changes by no more than the metres that the point moves.
+  /// @param way from the marker, in T
+  [[nodiscard]] double margin(const Eigen::Vector3d& way) const {
+    const double along = normal.dot(way), aside = normal.cross(way).norm();
+    const double sine = std::sin(half_angle), cosine = std::cos(half_angle);
+    const double margin = sine * along - cosine * aside;
+    // More than a right angle off its edge, the apex is the nearest of the cone.
+    return cosine * along + sine * aside < 0 ? std::copysign(way.norm(), margin)
+                                             : margin;
+  }
+  [[nodiscard]] bool faces_all_ways() const { return normal.isZero(0); }
+
+  friend bool operator==(const PlacedMarker&, const PlacedMarker&) = default;
+};
 
 /// How a device stands that looks at the target.
 struct WorldMount {
@@ -75,7 +108,7 @@ struct DELOS_API System {
   /// Information that every update adds to each coordinate of the pose besides what the
   /// devices measure, or its rate under continuous fusion; 1/m² and 1/rad², ≥ 0.
   double prior = 0;
-  std::vector<Eigen::Vector3d> markers;  ///< in the target's frame, metres
+  std::vector<PlacedMarker> markers;
   std::vector<PlacedDevice> devices;
   std::vector<BeaconSet> beacon_sets;    ///< what the devices' beacons were made from
   std::vector<OccluderEntry> occluders;  ///< what the two below were made from

@@ -22,11 +22,11 @@ struct SceneNumber {
 
 /// Find a number by the path that an override would use:
 ///
-///   devices.NAME.at.x  .aim.y  .rpy.yaw  .quaternion_wxyz.w  .coordinates.0  .rate
-///   .phase  .exposure devices.NAME.params.P  .params.P.0  .params.P.0.1
+///   devices.NAME.at.x  .aim.y  .roll  .rpy.yaw  .quaternion_wxyz.w  .coordinates.0
+///   .rate .phase  .exposure devices.NAME.params.P  .params.P.0  .params.P.0.1
 ///   groups.NAME.at.x …
-///   occluders.NAME.at.x …   target.markers.0.x surfaces.NAME.patch.origin.x .patch.u.x
-///   .from.origin.x  .rail.0.x   motion.q.0
+///   occluders.NAME.at.x …   target.markers.0.x   target.bodies.NAME.at.x  .half_angle
+///   surfaces.NAME.patch.origin.x  .patch.u.x  .from.origin.x  .rail.0.x   motion.q.0
 ///
 /// @returns the number, or a sentence that says why there is none, with a suggestion
 [[nodiscard]] DELOS_API std::variant<SceneNumber, std::string> find_number(

@@ -46,7 +46,8 @@ struct QuaternionWxyz {
 };
 struct Aim {
   Eigen::Vector3d
-      at;  ///< the point looked at, metres, in the same frame as the position
+      at;           ///< the point looked at, metres, in the same frame as the position
+  double roll = 0;  ///< then a turn about the z axis, from x towards y, radians
   friend bool operator==(const Aim&, const Aim&) = default;
 };
 
@@ -175,6 +176,24 @@ struct BeaconSet {
   friend bool operator==(const BeaconSet&, const BeaconSet&) = default;
 };
 
+/// A marker of a body.
+struct MarkerEntry {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< metres, in the body's frame
+  /// Which way it faces, in the body's frame, of any length but 0; nullopt: all ways.
+  std::optional<Eigen::Vector3d> normal;
+  std::optional<double> half_angle;  ///< instead of the body's, radians
+  friend bool operator==(const MarkerEntry&, const MarkerEntry&) = default;
+};
+
+/// Markers on the target that are fixed to each other, each seen from a cone.
+struct MarkerBody {
+  std::string name;
+  Placement placement;                       ///< in the target's frame
+  double half_angle = std::numbers::pi / 2;  ///< about each normal, radians
+  std::vector<MarkerEntry> markers;
+  friend bool operator==(const MarkerBody&, const MarkerBody&) = default;
+};
+
 /// Which of the beacons in view a device on the target uses in one update. A sighting
 /// is one beacon through one view; its weight is the beacon's.
 enum class SightingRule {
@@ -246,6 +265,7 @@ struct DELOS_API Scene {
   std::string metric = "eigmax";
   /// Points on the target that point devices observe, metres, in the target's frame.
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
+  std::vector<MarkerBody> bodies;  ///< whose markers are observed, too
   std::vector<Group> groups;
   std::vector<SurfaceEntry> surfaces;
   std::vector<RegionEntry> regions;
