@@ -99,7 +99,8 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
   };
   if (placed.device->span() != Span::point) {
     const bool may_hide = !placed.carried() && may_be_hidden(system, placed);
-    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, {0, 0, 0})) return;
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, origin)) return;
     return add();
   }
   if (const TargetMount* carried = placed.carried()) {
