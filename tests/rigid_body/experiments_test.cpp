@@ -13,11 +13,11 @@ TEST(Experiments, FirstConvergesInThreeFrames) {
   const double v_z[] = {0.0021, 0.2203, 0.2405, 0.2602};
   const double a_z[] = {0.020879, 0.000951, 0.000954, 0.000979};
   for (std::size_t i = 0; i < 4; ++i) {
-    // From frame 3 on the script is a little slower to believe in its acceleration.
+    // The script is a little slower from frame 3 on to believe in its acceleration.
     const bool same = i < 2;
     EXPECT_NEAR(frames[i].state.omega.z(), omega_z[i], 1e-5) << i;
     EXPECT_NEAR(frames[i].state.v.z(), v_z[i], same ? 1e-4 : 4e-4) << i;
-    EXPECT_NEAR(frames[i].state.a.z(), a_z[i], same ? 1e-6 : 3e-5) << i;
+    EXPECT_NEAR(frames[i].state.a.z(), a_z[i], same ? 2e-6 : 3e-5) << i;
   }
   // The motion: v runs 0.2, 0.22, … 0.38.
   EXPECT_NEAR(steady_motion(10).motion.back().v.z(), 0.38, 1e-12);

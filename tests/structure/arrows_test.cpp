@@ -151,8 +151,8 @@ void expect_downwards(const House& house, const std::string& prefix) {
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheKernel) {
   const std::vector<std::string> rooms = {
-      "text",     "parallel", "expression", "model",    "riccati", "geometry",
-      "sampling", "device",   "plugin",     "document", "scene",   "rig",
+      "text",     "parallel", "expression", "model",    "riccati",    "geometry",
+      "sampling", "device",   "plugin",     "document", "scene",      "rig",
       "observe",  "layers",   "steady",     "field",    "simulation", "output"};
   expect_downwards({"kernel/src", rooms}, "delos/");
   expect_downwards({"kernel/include/delos", rooms}, "delos/");

@@ -61,8 +61,8 @@ struct OwnState {
 
 /// What a device measures of a target, linearised there. Stored inline.
 struct Observation {
-  /// The noiseless reading, m×1, measurement units. The filter never needs it; the
-  /// contract test does, to check H against differences.
+  /// The noiseless reading, m×1, measurement units. P∞ never needs it; simulated
+  /// readings are made of it, and the contract test checks H by its differences.
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRows, 1> z;
   /// Jacobian ∂z/∂(the columns of Span, then the device's own states), m×c, in the
   /// device's frame S.
