@@ -7,8 +7,8 @@ namespace delos::test {
 namespace {
 
 const std::vector<std::string> kCommands = {
-    "field", "point",    "compare", "check", "devices", "optimize",
-    "study", "tradeoff", "report",  "demo",  "explore"};
+    "field",    "point",  "compare", "check",   "devices",     "optimize",  "study",
+    "tradeoff", "report", "demo",    "explore", "fit-motion"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

@@ -164,7 +164,8 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 }
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
-  expect_downwards({"explorer", {"session", "server", "report", "cli"}}, "");
+  expect_downwards(
+      {"explorer", {"recordings", "motion", "session", "server", "report", "cli"}}, "");
 }
 
 struct Home {
@@ -178,7 +179,8 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/document/"}},
       {"Boost",
        std::regex("boost/.*"),
-       {"kernel/src/plugin/", "kernel/src/expression/", "explorer/server/"}},
+       {"kernel/src/plugin/", "kernel/src/expression/", "explorer/motion/",
+        "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
