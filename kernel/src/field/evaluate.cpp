@@ -94,7 +94,7 @@ Field blind_field(const System& system, const Samples& samples, const Metric& me
   field.metric = metric.name;
   field.unit = metric.unit;
   field.larger_is_better = metric.larger_is_better;
-  field.definition = {system.fusion, system.covariance};
+  field.definition = definition_of(system);
   field.samples = samples;
   field.value.assign(points, kInfinity);
   field.observable.assign(points, 0);
