@@ -12,6 +12,7 @@ namespace delos::report {
 /// How the points of a series are drawn.
 enum class Stroke {
   line,   ///< from point to point, each with a disc
+  curve,  ///< from point to point
   steps,  ///< level up to the next point
   dots,   ///< each by itself, faintly
 };

@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<std::string> kCommands = {
     "field",    "point",  "compare", "check",   "devices",     "optimize",  "study",
-    "tradeoff", "report", "demo",    "explore", "fit-motion"};
+    "tradeoff", "report", "demo",    "explore", "sample-time", "fit-motion"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

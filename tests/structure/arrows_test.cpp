@@ -180,7 +180,7 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"Boost",
        std::regex("boost/.*"),
        {"kernel/src/plugin/", "kernel/src/expression/", "explorer/motion/",
-        "explorer/server/"}},
+        "explorer/session/", "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},

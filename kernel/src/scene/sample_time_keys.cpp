@@ -178,8 +178,10 @@ void check_law(Reader& reader, const Place& at, const NoiseOverTime& noise) {
 }  // namespace
 
 void read_timing(Reader& reader, const Place& at, DeviceEntry& out) {
+  const std::size_t before = reader.findings.errors();
   Timing timing;
-  if (read_map(reader, at, kTimingKeys, timing)) out.timing = timing;
+  if (!read_map(reader, at, kTimingKeys, timing)) return;
+  if (reader.findings.errors() == before) out.timing = timing;
 }
 
 Written write_timing(const DeviceEntry& device) {
