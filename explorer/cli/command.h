@@ -95,6 +95,8 @@ void add_select_command(CLI::App& program, int& exit_code);
 void add_tradeoff_command(CLI::App& program, int& exit_code);
 void add_report_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
+void add_sample_time_command(CLI::App& program, int& exit_code);
+void add_fit_motion_command(CLI::App& program, int& exit_code);
 void add_explore_command(CLI::App& program, int& exit_code);
 void add_simulate_command(CLI::App& program, int& exit_code);
 

@@ -58,6 +58,8 @@ int run(int argc, char** argv) {
   add_select_command(program, exit_code);
   add_tradeoff_command(program, exit_code);
   add_report_command(program, exit_code);
+  add_sample_time_command(program, exit_code);
+  add_fit_motion_command(program, exit_code);
   add_demo_command(program, exit_code);
   add_explore_command(program, exit_code);
   add_simulate_command(program, exit_code);

@@ -89,8 +89,8 @@ void print(std::ostream& out, const PointAnswer& answer, const LoadedScene& load
   if (report.inside) out << "  The point is inside a solid: fields leave it out.\n";
   for (const std::string& line : lost_words(answer, loaded))
     out << "  " << line << "\n";
-  out << to_string(Definition{loaded.system.fusion, loaded.system.covariance})
-      << ", solver " << to_string(report.solver) << "\n";
+  out << to_string(definition_of(loaded.system)) << ", solver "
+      << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";
   std::size_t width = 18;

@@ -54,7 +54,7 @@ Json device_json(const DeviceEntry& entry, const PlacedDevice& placed,
   const auto [facing, value] = facing_json(entry.placement);
   Json json{{"name", entry.name},
             {"type", entry.type},
-            {"rate", entry.rate},
+            {"rate", rate_of(entry)},
             {"mount", entry.mount == Mount::target ? "target" : "world"},
             {"group", entry.group},
             {"at", numbers(entry.placement.at)},
@@ -121,8 +121,7 @@ Json description(const Design& design, std::size_t revision, PluginRegistry& plu
               {"unit", loaded.metric.unit},
               {"larger_is_better", loaded.metric.larger_is_better}}},
             {"metrics", metric_names(known_metrics(loaded.scene))},
-            {"definition",
-             to_string(Definition{loaded.system.fusion, loaded.system.covariance})},
+            {"definition", to_string(definition_of(loaded.system))},
             {"fusion", to_string(loaded.system.fusion)},
             {"box", {{"min", numbers(samples.min())}, {"max", numbers(samples.max())}}},
             {"room", {{"min", numbers(room.min())}, {"max", numbers(room.max())}}}};

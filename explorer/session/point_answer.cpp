@@ -59,6 +59,7 @@ Json point_json(const PointAnswer& answer, const LoadedScene& loaded) {
   json["at"] = numbers(report.pose.p);
   json["rpy"] = numbers(answer.rpy);
   json["fusion"] = to_string(loaded.system.fusion);
+  if (loaded.system.lag > 0) json["lag"] = loaded.system.lag;
   json["solver"] = to_string(report.solver);
   json["covariance_of"] = to_string(state.of);
   json["state"] = loaded.system.motion.layout.names();

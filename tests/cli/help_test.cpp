@@ -7,8 +7,9 @@ namespace delos::test {
 namespace {
 
 const std::vector<std::string> kCommands = {
-    "field",    "point", "compare",  "check",  "devices", "new-device", "simulate",
-    "optimize", "study", "tradeoff", "report", "demo",    "explore"};
+    "field",      "point",    "compare",  "check",       "devices",
+    "new-device", "simulate", "optimize", "study",       "tradeoff",
+    "report",     "demo",     "explore",  "sample-time", "fit-motion"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

@@ -166,7 +166,8 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 }
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
-  expect_downwards({"explorer", {"session", "server", "report", "cli"}}, "");
+  expect_downwards(
+      {"explorer", {"recordings", "motion", "session", "server", "report", "cli"}}, "");
 }
 
 struct Home {
@@ -181,7 +182,7 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"Boost",
        std::regex("boost/.*"),
        {"kernel/src/plugin/", "kernel/src/expression/", "kernel/src/simulation/",
-        "explorer/server/"}},
+        "explorer/motion/", "explorer/session/", "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},

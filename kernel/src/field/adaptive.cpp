@@ -59,7 +59,7 @@ Field AdaptiveField::State::node_field() const {
   f.metric = metric.name;
   f.unit = metric.unit;
   f.larger_is_better = metric.larger_is_better;
-  f.definition = {system.fusion, system.covariance};
+  f.definition = definition_of(system);
   f.threads = threads;
   f.evaluations = evaluations;
   f.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -167,7 +167,7 @@ Field AdaptiveField::State::read(const Samples& samples, ShadowEdges edges) cons
   f.metric = metric.name;
   f.unit = metric.unit;
   f.larger_is_better = metric.larger_is_better;
-  f.definition = {system.fusion, system.covariance};
+  f.definition = definition_of(system);
   f.threads = threads;
   f.samples = samples;
   f.evaluated = queries.size();

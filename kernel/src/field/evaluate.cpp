@@ -95,7 +95,7 @@ Field blind_field(const System& system, Samples samples, const Metric& metric) {
   field.metric = metric.name;
   field.unit = metric.unit;
   field.larger_is_better = metric.larger_is_better;
-  field.definition = {system.fusion, system.covariance};
+  field.definition = definition_of(system);
   field.samples = std::move(samples);
   field.value.assign(points, kInfinity);
   field.observable.assign(points, 0);

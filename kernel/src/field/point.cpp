@@ -49,6 +49,20 @@ StateMatrix whole_prior(const MotionStep& motion, const FusedState& state) {
   return A * state.posterior * A.transpose() + motion.Q;
 }
 
+/// The state at the updates, of which the equation is.
+FusedState state_at_update(const System& system, const LayerBlock& block,
+                           const TargetPose& pose, const FusedState& used) {
+  if (system.lag == 0) return used;
+  System at_update = system;
+  at_update.lag = 0;
+  const auto fusion = make_steady_solver(at_update);
+  SteadyEquation equation = fusion->equation();
+  FusedState state;
+  fusion->read(block, 0, pose, equation);
+  fusion->solve(equation, {}, state);
+  return state;
+}
+
 /// The headline metric without the device; +∞ where nothing is left.
 double value_without(System system, std::size_t device, const TargetPose& pose,
                      const Metric& metric, Solver solver) {
@@ -114,8 +128,9 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
       system.covariance != CovarianceKind::single &&
       report.state.status == RiccatiStatus::converged) {
     const auto& [motion, measurement] = equation.steps.front();
-    report.residual =
-        riccati_residual(motion, measurement, whole_prior(motion, report.state));
+    report.residual = riccati_residual(
+        motion, measurement,
+        whole_prior(motion, state_at_update(system, block, pose, report.state)));
   }
 
   const double with = value_of(metric, system, report.state, block, pose);

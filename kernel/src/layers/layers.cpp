@@ -166,6 +166,8 @@ WhitenedRows whitened_rows(const System& system, const TargetPose& pose) {
               }
               noisy.emplace_back(row.h * std::sqrt(row.weight()));
               out.device.push_back(static_cast<int>(i));
+              out.variance.push_back(row.variance);
+              out.share.push_back(row.share);
             });
   }
   out.rows.resize(static_cast<Eigen::Index>(noisy.size()), columns);

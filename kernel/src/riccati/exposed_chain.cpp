@@ -106,6 +106,10 @@ ExposedChain<k>::ExposedChain(const Sampling& sampling, double information)
     N(i) = (k % 2 ? -1 : 1) * power(tau, 2 * k - 1 - i) / factorial_of(2 * k - i);
   }
   R = power(tau, 2 * k - 1) / ((2 * k + 1) * factorial_of(k) * factorial_of(k));
+  if (sampling.model == ExposureModel::exact) return;
+  h = ChainColumn<k>::UnitX();
+  N.setZero();
+  R = motion_variance(sampling.model, k, sampling.exposure) / power(length, 2 * k - 1);
 }
 
 /// X = Σ_t Fᵗ Y (Fᵗ)ᵀ, by doubling.
@@ -175,11 +179,11 @@ template ChainTerms<3> exposed_values<3, true>(const Sampling&, double, Covarian
 
 }  // namespace riccati
 
-double exposed_chain_time_constant(int order, double dt, double exposure,
-                                   double lambda) {
+double exposed_chain_time_constant(int order, double dt, double exposure, double lambda,
+                                   ExposureModel model) {
   if (exposure == 0) return discrete_chain_time_constant(order, dt, lambda);
   return riccati::with_order(order, [&]<int k>() {
-    const riccati::ExposedChain<k> chain({false, dt, exposure}, lambda);
+    const riccati::ExposedChain<k> chain({false, dt, exposure, model}, lambda);
     return -dt / std::log(riccati::slowest_pole(chain));
   });
 }

@@ -144,10 +144,10 @@ void covariances(const CoordinateMatrix& L, const Sampling& sampling,
   for (int a = 0; a < kSize; ++a) {
     const double* lambda = at.m(a, a);
     double f[kLanes];
-    if (sampling.exposure > 0) {
+    if (sampling.exposure > 0 || sampling.lag > 0) {
       for (int l = 0; l < kLanes; ++l) {
-        f[l] =
-            riccati::exposed_values<kOrder, false>(sampling, lambda[l], kind).value[0];
+        f[l] = riccati::any_chain_values<kOrder, false>(sampling, lambda[l], kind)
+                   .value[0];
       }
     } else {
       for (int l = 0; l < kLanes; ++l) {

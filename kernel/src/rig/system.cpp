@@ -85,7 +85,16 @@ MotionModel no_motion(const StateLayout& layout) {
 double exposure_of(const DeviceEntry& entry) {
   if (const std::string problem = exposure_problem(entry); !problem.empty())
     throw Unbuildable(entry.name + ": exposure " + problem);
-  return std::min(entry.exposure, 1 / entry.rate);
+  return std::min(entry.exposure, 1 / rate_of(entry));
+}
+
+/// How many times what its parameters say the covariance of its noise is.
+/// @throws Unbuildable the sample time leaves it no finite one
+double noise_of(const DeviceEntry& entry) {
+  if (const std::string problem = noise_problem(entry); !problem.empty())
+    throw Unbuildable(entry.name + ": exposure " + problem);
+  return entry.noise_over_time ? noise_ratio(*entry.noise_over_time, entry.exposure)
+                               : 1;
 }
 
 /// Which state of a layout has this name.
@@ -174,6 +183,8 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
   system.motion = single ? no_motion(covariance_layout(scene)) : scene.motion;
   system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
+  system.lag = scene.lag;
+  system.exposures = scene.exposures;
   system.own_metrics = known_metrics(scene).own;
   system.markers = placed_markers(scene);
   system.skin = scene.skin;
@@ -209,7 +220,8 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     } else {
       placed.mount = WorldMount{device_pose(scene, entry)};
     }
-    placed.period = single ? 1 : 1 / entry.rate;
+    placed.noise = noise_of(entry);
+    placed.period = single ? 1 : 1 / rate_of(entry);
     placed.phase = single ? 0 : entry.phase;
     placed.exposure = exposure_of(entry);
     placed.clock = clock_of(scene, entry, system.motion);
@@ -235,6 +247,10 @@ bool has_one_exposure(const System& system) {
                      [&](const PlacedDevice& d) {
                        return d.exposure == system.devices.front().exposure;
                      });
+}
+
+Definition definition_of(const System& system) {
+  return {system.fusion, system.covariance, system.lag};
 }
 
 double information_weight(const System& system, const PlacedDevice& device) {

@@ -11,6 +11,7 @@
 #include "delos/device/beacons.h"
 #include "delos/device/faults.h"
 #include "delos/sampling/samples.h"
+#include "delos/scene/definition.h"
 #include "delos/text/words.h"
 #include "scene/beacon_grid.h"
 
@@ -186,8 +187,10 @@ class Writer {
       numbers.insert(numbers.end(), X.p.data(), X.p.data() + 3);
       for (const std::size_t other : at[{device.type, numbers}]) {
         const DeviceEntry& twin = out_.scene.devices[other];
-        if (twin.params == device.params && twin.rate == device.rate &&
-            twin.exposure == device.exposure && twin.beacons == device.beacons)
+        if (twin.params == device.params && rate_of(twin) == rate_of(device) &&
+            twin.exposure == device.exposure &&
+            twin.noise_over_time == device.noise_over_time &&
+            twin.beacons == device.beacons)
           throw Refused{"the candidates " + twin.name + " and " + device.name +
                         " are the same device in the same place"};
       }

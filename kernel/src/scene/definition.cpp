@@ -1,25 +1,29 @@
 #include "delos/scene/definition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include "delos/model/metric_expression.h"
+#include "delos/text/format.h"
 #include "delos/text/units.h"
 
 namespace delos {
 namespace {
 
-/// What sets a rate: factor·variable + offset; without a variable, offset alone.
+/// What sets a rate: factor·variable + offset; without a variable, offset alone. With a
+/// timing, that is of the exposure which sets it.
 struct RateSource {
   const VariableEntry* variable = nullptr;
   double factor = 0, offset = 0;
+  std::optional<Timing> timing = {};
   friend bool operator==(const RateSource&, const RateSource&) = default;
 };
 
-/// The device of "devices.NAME.rate", else empty.
-std::string rated_device(const std::string& path) {
-  const std::string first = "devices.", last = ".rate";
+/// The device of "devices.NAME" and a last part such as ".rate", else empty.
+std::string device_of(const std::string& path, const std::string& last) {
+  const std::string first = "devices.";
   if (!path.starts_with(first) || !path.ends_with(last) ||
       path.size() <= first.size() + last.size())
     return "";
@@ -29,9 +33,17 @@ std::string rated_device(const std::string& path) {
 /// The devices whose rates variables set.
 std::map<std::string, RateSource> varied_rates(const Scene& scene) {
   std::map<std::string, RateSource> varied;
-  const auto add = [&](const std::string& path, const RateSource& source) {
-    if (const std::string name = rated_device(path); !name.empty())
+  const auto timing_of = [&](const std::string& name) -> std::optional<Timing> {
+    for (const DeviceEntry& device : scene.devices)
+      if (device.name == name) return device.timing;
+    return std::nullopt;
+  };
+  const auto add = [&](const std::string& path, RateSource source) {
+    if (const std::string name = device_of(path, ".rate"); !name.empty())
       varied[name] = source;
+    const std::string exposed = device_of(path, ".exposure");
+    source.timing = timing_of(exposed);
+    if (source.timing) varied[exposed] = source;
   };
   for (const VariableEntry& v : scene.variables) {
     add(v.path, {&v, 1, 0});
@@ -56,6 +68,8 @@ bool takes(const Scene& scene, Fusion fusion) {
         return !d.clock.empty() && !clock_entry(scene, d.clock);
       });
   if (has_free_clock && !free_clock_problem({fusion, scene.covariance}).empty())
+    return false;
+  if (scene.lag > 0 && !lag_problem(scene.motion, {fusion, scene.covariance}).empty())
     return false;
   if (fusion == Fusion::stacked) return has_one_rate(scene);
   return scene.motion.in_continuous_time() ||
@@ -128,9 +142,11 @@ KnownMetrics known_metrics(const Scene& scene) {
 std::string to_string(const Definition& definition) {
   if (definition.covariance == CovarianceKind::single)
     return "covariance of a single reading";
-  return std::string(definition.covariance == CovarianceKind::prior ? "a-priori"
-                                                                    : "a-posteriori") +
-         " covariance, " + to_string(definition.fusion) + " fusion";
+  const std::string kind =
+      definition.covariance == CovarianceKind::prior ? "a-priori" : "a-posteriori";
+  const std::string later =
+      definition.lag > 0 ? ' ' + format_quantity(definition.lag, "s") + " later" : "";
+  return kind + " covariance" + later + ", " + to_string(definition.fusion) + " fusion";
 }
 
 bool alike(const Definition& a, const Definition& b) {
@@ -138,7 +154,8 @@ bool alike(const Definition& a, const Definition& b) {
     return a.covariance == b.covariance;
   const bool one_covariance =
       a.fusion == Fusion::continuous || a.fusion == Fusion::periodic;
-  return a.fusion == b.fusion && (one_covariance || a.covariance == b.covariance);
+  return a.fusion == b.fusion && a.lag == b.lag &&
+         (one_covariance || a.covariance == b.covariance);
 }
 
 bool varies_exposures(const Scene& scene) {
@@ -162,7 +179,8 @@ bool has_one_rate(const Scene& scene) {
   const std::map<std::string, RateSource> varied = varied_rates(scene);
   const auto source = [&](const DeviceEntry& device) {
     const auto found = varied.find(device.name);
-    return found == varied.end() ? RateSource{nullptr, 0, device.rate} : found->second;
+    return found == varied.end() ? RateSource{nullptr, 0, rate_of(device)}
+                                 : found->second;
   };
   return std::all_of(scene.devices.begin(), scene.devices.end(),
                      [&](const DeviceEntry& device) {
@@ -171,11 +189,36 @@ bool has_one_rate(const Scene& scene) {
 }
 
 std::string exposure_problem(const DeviceEntry& device) {
-  const double period = 1 / device.rate;
+  const double period = 1 / rate_of(device);
   // 16.6667 ms are as long as 1/60 s to whoever writes them so.
   if (device.exposure <= period * (1 + 1e-5)) return "";
   return "must not be longer than the time between updates, " +
-         shortest(1000 * period) + " ms at " + shortest(device.rate) + " Hz";
+         shortest(1000 * period) + " ms at " + shortest(rate_of(device)) + " Hz";
+}
+
+double rate_of(const DeviceEntry& device) {
+  return device.timing ? 1 / period_of(*device.timing, device.exposure) : device.rate;
+}
+
+std::string noise_problem(const DeviceEntry& device) {
+  if (!device.noise_over_time) return "";
+  const double ratio = noise_ratio(*device.noise_over_time, device.exposure);
+  if (std::isfinite(ratio) && ratio > 0) return "";
+  return "of " + shortest(1000 * device.exposure) +
+         " ms leaves its noise_over_time no finite value above 0; make it longer";
+}
+
+std::string lag_problem(const MotionModel& motion, const Definition& definition) {
+  if (definition.covariance == CovarianceKind::single)
+    return "isn't known to single readings, which say nothing of how the target moves; "
+           "leave it out, or use covariance: prior or posterior";
+  if (!motion.in_continuous_time())
+    return "needs a motion in continuous time, but custom motion says nothing of what "
+           "happens between updates";
+  if (definition.fusion == Fusion::artemis)
+    return "isn't known to artemis fusion, whose sum of Ψ is no filter's; use fusion: "
+           "stacked, continuous, periodic or sequential";
+  return "";
 }
 
 std::string exposure_problem(const MotionModel& motion, const Definition& definition) {
@@ -198,8 +241,8 @@ std::string exposure_problem(const MotionModel& motion, const Definition& defini
 
 Definition definition_of(const Scene& scene) {
   if (scene.covariance == CovarianceKind::single)
-    return {Fusion::stacked, CovarianceKind::single};
-  return {scene.fusion.value_or(default_fusion(scene)), scene.covariance};
+    return {Fusion::stacked, CovarianceKind::single, scene.lag};
+  return {scene.fusion.value_or(default_fusion(scene)), scene.covariance, scene.lag};
 }
 
 Scene with_definition(Scene scene) {

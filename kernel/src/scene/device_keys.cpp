@@ -10,6 +10,7 @@
 #include "document/node_text.h"
 #include "scene/params.h"
 #include "scene/placement_keys.h"
+#include "scene/sample_time_keys.h"
 #include "scene/surface_keys.h"
 #include "scene/words.h"
 
@@ -65,7 +66,7 @@ Written write_seen_beacons(const DeviceEntry& d) {
   return to_node(std::move(names));
 }
 
-constexpr std::array<Key<DeviceEntry>, 19> kDeviceKeys = {{
+constexpr std::array<Key<DeviceEntry>, 21> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -78,8 +79,11 @@ constexpr std::array<Key<DeviceEntry>, 19> kDeviceKeys = {{
          r.error(p, "is empty; 'delos devices' lists the plugins");
      },
      [](const DeviceEntry& d) -> Written { return to_node(d.type); }},
-    {"rate", Need::required, "updates a second, such as 50 Hz", read_rate,
-     [](const DeviceEntry& d) -> Written { return to_node(d.rate); }},
+    {"rate", Need::optional, "updates a second, such as 50 Hz", read_rate,
+     [](const DeviceEntry& d) -> Written {
+       if (d.timing) return std::nullopt;
+       return to_node(d.rate);
+     }},
     {"phase", Need::optional, "delay of the first update; periodic fusion reads it",
      read_phase,
      [](const DeviceEntry& d) -> Written {
@@ -93,6 +97,12 @@ constexpr std::array<Key<DeviceEntry>, 19> kDeviceKeys = {{
        if (d.exposure == 0) return std::nullopt;
        return to_node(d.exposure);
      }},
+    {"timing", Need::optional,
+     "instead of a rate: what an update takes beside its exposure", read_timing,
+     write_timing},
+    {"noise_over_time", Need::optional,
+     "how the noise falls with the exposure; default: constant", read_noise_over_time,
+     write_noise_over_time},
     {"mount", Need::optional,
      "world: it stands in the room and sees the target; target: it is carried and sees "
      "beacons",
@@ -190,13 +200,6 @@ void check_mount(Reader& reader, const Place& at, const DeviceEntry& device) {
       refuse(key, "is for a device that the target carries; give 'mount: target'");
   if (!carried || device.select == SightingRule::all)
     refuse("count", "goes with 'select: mean', 'random', 'nearest' or 'best'");
-}
-
-/// A reading is over by the next one's begin.
-void check_exposure(Reader& reader, const Place& at, const DeviceEntry& device) {
-  const std::string problem = device.rate > 0 ? exposure_problem(device) : "";
-  if (!problem.empty())
-    reader.error_within(at, at.node().find("exposure")->mark, "exposure", problem);
 }
 
 /// A carried device that sees points needs something to look at.
@@ -339,7 +342,7 @@ void read_device(Reader& reader, const Place& at, Around& around, DeviceEntry& o
   }
   check_mount(reader, at, out);
   check_group(reader, at, out, around.groups);
-  check_exposure(reader, at, out);
+  check_sample_time(reader, at, out);
   if (out.type.empty()) return;
   const PluginLoad& plugin = reader.plugins.find(out.type);
   if (!plugin.info) {

@@ -35,7 +35,7 @@ class Walk {
 
   SceneNumber find(Scene& scene) {
     const std::string& room =
-        next({"devices", "groups", "surfaces", "occluders", "target", "motion"});
+        next({"devices", "groups", "surfaces", "occluders", "target", "motion", "lag"});
     if (room == "devices") return of_device(member(scene.devices));
     if (room == "groups") return of_placement(member(scene.groups).placement);
     if (room == "occluders") return of_placement(member(scene.occluders).placement);
@@ -44,6 +44,7 @@ class Walk {
       if (next({"markers", "bodies"}) == "bodies") return of_body(member(scene.bodies));
       return vector(scene.markers[index(scene.markers.size())], "m");
     }
+    if (room == "lag") return end(scene.lag, "s", 0);
     next({"q"});
     return of_noise(scene.motion);
   }
@@ -141,7 +142,8 @@ class Walk {
   SceneNumber of_device(DeviceEntry& device) {
     std::vector<std::string> words = facing_words(device.placement);
     words.insert(words.begin(), device.mounting ? "coordinates" : "at");
-    words.insert(words.end(), {"rate", "phase", "exposure", "params"});
+    if (!device.timing) words.emplace_back("rate");
+    words.insert(words.end(), {"phase", "exposure", "params"});
     const std::string& key = next(std::move(words));
     if (key == "rate") {
       SceneNumber rate = end(device.rate, "1/s", 0);
@@ -149,7 +151,13 @@ class Walk {
       return rate;
     }
     if (key == "phase") return end(device.phase, "s", 0);
-    if (key == "exposure") return end(device.exposure, "s", 0, 1 / device.rate);
+    if (key == "exposure") {
+      // With a timing, the period grows with it.
+      const double most = device.timing ? kInfinity : 1 / device.rate;
+      SceneNumber exposure = end(device.exposure, "s", 0, most);
+      if (device.noise_over_time) exposure.scale = ParamScale::log;
+      return exposure;
+    }
     if (key == "params") return of_params(device);
     if (key != "coordinates") return of_facing(key, device.placement);
     auto& coordinates = device.mounting->coordinates;

@@ -52,9 +52,17 @@ void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
   out.scene.skin = *skin;
 }
 
+void read_lag(Reader& reader, const Place& at, SceneDraft& out) {
+  const auto lag = reader.number(at, "s");
+  if (!lag) return;
+  if (*lag < 0)
+    reader.error(at, "must not be below 0: nothing is used before it is known");
+  out.scene.lag = *lag;
+}
+
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 23> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 25> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -101,6 +109,24 @@ constexpr std::array<Key<SceneDraft>, 23> kSceneKeys = {{
      },
      [](const SceneDraft& d) -> Written {
        return to_node(to_string(d.scene.covariance));
+     }},
+    {"lag", Need::optional,
+     "how long after the covariance's instant it is used: processing, display",
+     read_lag,
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.lag == 0) return std::nullopt;
+       return to_node(d.scene.lag);
+     }},
+    {"exposures", Need::optional,
+     "the motion in readings that take time: exact, instantaneous, averaged or "
+     "integrated",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       if (const auto model = r.choice(p, kExposureModelWords))
+         d.scene.exposures = *model;
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.exposures == ExposureModel::exact) return std::nullopt;
+       return to_node(word_of(kExposureModelWords, d.scene.exposures));
      }},
     {"metrics", Need::optional, "metrics by formulas",
      [](Reader& r, const Place& p, SceneDraft& d) {
@@ -208,14 +234,14 @@ constexpr std::array<Key<SceneDraft>, 23> kSceneKeys = {{
 /// Two devices whose rates differ, or null.
 std::pair<const DeviceEntry*, const DeviceEntry*> different_rates(const Scene& scene) {
   for (const DeviceEntry& device : scene.devices)
-    if (device.rate != scene.devices.front().rate)
+    if (rate_of(device) != rate_of(scene.devices.front()))
       return {&scene.devices.front(), &device};
   return {nullptr, nullptr};
 }
 
 std::string rates_text(const DeviceEntry& a, const DeviceEntry& b) {
-  return a.name + " has " + shortest(a.rate) + " Hz and " + b.name + " has " +
-         shortest(b.rate) + " Hz";
+  return a.name + " has " + shortest(rate_of(a)) + " Hz and " + b.name + " has " +
+         shortest(rate_of(b)) + " Hz";
 }
 
 /// Fusion, motion and rates must fit together.
@@ -277,6 +303,13 @@ void check_varied_exposures(Reader& reader, const Place& root, const Scene& scen
                         "change an exposure, which " + problem);
 }
 
+/// Nor can everything be carried on for a while.
+void check_lag(Reader& reader, const Place& root, const Scene& scene) {
+  const std::string problem = lag_problem(scene.motion, definition_of(scene));
+  if (scene.lag > 0 && !problem.empty())
+    reader.error_within(root, root.node().find("lag")->mark, "lag", problem);
+}
+
 /// Orientations stand in `sample` or beside it, not in both.
 void check_orientations(Reader& reader, const Place& root) {
   const Node* beside = root.node().find("orientations");
@@ -335,11 +368,12 @@ Scene read_scene(Reader& reader, const Node& root) {
   const bool rates_known =
       !draft.scene.devices.empty() &&
       std::all_of(draft.scene.devices.begin(), draft.scene.devices.end(),
-                  [](const DeviceEntry& d) { return d.rate > 0; });
+                  [](const DeviceEntry& d) { return rate_of(d) > 0; });
   if (draft.known.motion && rates_known) {
     check_fusion(reader, place, draft.scene);
     check_exposures(reader, place, draft.scene);
     check_clocks(reader, place, draft.scene);
+    check_lag(reader, place, draft.scene);
   }
   if (reader.findings.errors() > 0) return std::move(draft.scene);
   if (const Node* occluders = root.find("occluders"))

@@ -20,6 +20,13 @@ inline constexpr std::pair<const char*, CovarianceKind> kCovarianceWords[] = {
     {"single", CovarianceKind::single},
 };
 
+inline constexpr std::pair<const char*, ExposureModel> kExposureModelWords[] = {
+    {"exact", ExposureModel::exact},
+    {"instantaneous", ExposureModel::instantaneous},
+    {"averaged", ExposureModel::averaged},
+    {"integrated", ExposureModel::integrated},
+};
+
 inline constexpr std::pair<const char*, OrientationRule> kOrientationRuleWords[] = {
     {"worst", OrientationRule::worst},
     {"mean", OrientationRule::mean},

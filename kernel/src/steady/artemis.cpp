@@ -14,8 +14,8 @@ ArtemisSolver::ArtemisSolver(const System& system, Solver solver)
         {&i, 1});
 }
 
-void ArtemisSolver::solve(SteadyEquation& at, const SteadyRequest&,
-                          FusedState& out) const {
+void ArtemisSolver::find(SteadyEquation& at, const SteadyRequest&,
+                         FusedState& out) const {
   set_state(solve_eigenvector(at.steps), out);
   out.of = CovarianceOf::summed_psi;
   out.time_constant = std::numeric_limits<double>::quiet_NaN();

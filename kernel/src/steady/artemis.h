@@ -10,8 +10,10 @@ class ArtemisSolver final : public SteadySolver {
  public:
   /// @throws UnsuitableSolver
   ArtemisSolver(const System& system, Solver solver);
-  void solve(SteadyEquation& at, const SteadyRequest& request,
-             FusedState& out) const override;
+
+ private:
+  void find(SteadyEquation& at, const SteadyRequest& request,
+            FusedState& out) const override;
 };
 
 }  // namespace delos

@@ -18,7 +18,7 @@ ChainReduction::ChainReduction(const System& system)
     : L(std::get<ChainMotion>(system.motion.dynamics).q.llt().matrixL()),
       order(system.motion.layout.order),
       sampling{system.fusion == Fusion::continuous, system.devices.front().period,
-               system.devices.front().exposure},
+               system.devices.front().exposure, system.exposures, system.lag},
       kind(system.covariance) {}
 
 void ChainReduction::solve(const SpectralForm& form, const SteadyRequest& request,
@@ -44,11 +44,12 @@ void ChainReduction::solve(const SpectralForm& form, const SteadyRequest& reques
   }
   if (!request.time_constant) return;
   // The least measured direction forgets most slowly.
-  out.time_constant = lost > 0 ? kInfinity
-                      : sampling.continuous
-                          ? continuous_chain_time_constant(order, form.lambda(0))
-                          : exposed_chain_time_constant(
-                                order, sampling.dt, sampling.exposure, form.lambda(0));
+  out.time_constant =
+      lost > 0 ? kInfinity
+      : sampling.continuous
+          ? continuous_chain_time_constant(order, form.lambda(0))
+          : exposed_chain_time_constant(order, sampling.dt, sampling.exposure,
+                                        form.lambda(0), sampling.model);
 }
 
 StateMatrix ChainReduction::adjoint(const SpectralForm& form,

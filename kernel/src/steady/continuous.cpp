@@ -40,9 +40,8 @@ ContinuousSolver::ContinuousSolver(const System& system, Solver solver)
   add_step(continuous_form(system.motion), all_devices(system.devices.size()));
 }
 
-void ContinuousSolver::solve(SteadyEquation& at, const SteadyRequest& request,
-                             FusedState& out) const {
-  if (reduce(at, request, out)) return;
+void ContinuousSolver::find(SteadyEquation& at, const SteadyRequest& request,
+                            FusedState& out) const {
   out.of = CovarianceOf::all_times;
   const auto& [motion, measurement] = at.steps.front();
   if (measurement.exact.rows() > 0) return solve_pinned(at, request, out);
@@ -73,14 +72,16 @@ void ContinuousSolver::solve_pinned(SteadyEquation& at, const SteadyRequest& req
     return;
   }
   const Measurement& m = at.steps.front().measurement;
-  const ChainReduction reduction(system_);
+  System at_update = system_;
+  at_update.lag = 0;  // in which what is pinned moves, too: solve() sees to it
+  const ChainReduction reduction(at_update);
   at.form =
       pinned_form(reduction.L, m.exact.leftCols(d), m.information.topLeftCorner(d, d));
   reduction.solve(*at.form, request, out);
 }
 
-StateMatrix ContinuousSolver::adjoint(const SteadyEquation& at,
-                                      const StateMatrix& Y) const {
+StateMatrix ContinuousSolver::find_adjoint(const SteadyEquation& at,
+                                           const StateMatrix& Y) const {
   // What is pinned doesn't move: its columns of L U are zero, whatever its λ.
   SpectralForm form = *at.form;
   for (double& lambda : form.lambda)

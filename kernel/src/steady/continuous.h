@@ -10,13 +10,13 @@ class ContinuousSolver final : public SmoothSteadySolver {
  public:
   /// @throws UnsuitableSolver
   ContinuousSolver(const System& system, Solver solver);
-  void solve(SteadyEquation& at, const SteadyRequest& request,
-             FusedState& out) const override;
-  /// @pre the system is reducible
-  [[nodiscard]] StateMatrix adjoint(const SteadyEquation& at,
-                                    const StateMatrix& Y) const override;
 
  private:
+  void find(SteadyEquation& at, const SteadyRequest& request,
+            FusedState& out) const override;
+  /// @pre the system is reducible
+  [[nodiscard]] StateMatrix find_adjoint(const SteadyEquation& at,
+                                         const StateMatrix& Y) const override;
   void solve_pinned(SteadyEquation& at, const SteadyRequest& request,
                     FusedState& out) const;
 };

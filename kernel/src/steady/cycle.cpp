@@ -20,8 +20,8 @@ CycleSolver::CycleSolver(const System& system, Solver solver)
   for (const UpdateSlot& slot : slots) intervals_.push_back(slot.interval);
 }
 
-void CycleSolver::solve(SteadyEquation& at, const SteadyRequest& request,
-                        FusedState& out) const {
+void CycleSolver::find(SteadyEquation& at, const SteadyRequest& request,
+                       FusedState& out) const {
   solve_cycle(at.steps, at.states);
   out.status = RiccatiStatus::converged;
   for (const SteadyState& state : at.states)

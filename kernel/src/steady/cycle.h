@@ -14,10 +14,10 @@ class CycleSolver final : public SteadySolver {
   /// @throws UnsuitableSolver
   /// @throws std::invalid_argument the rates have no short cycle
   CycleSolver(const System& system, Solver solver);
-  void solve(SteadyEquation& at, const SteadyRequest& request,
-             FusedState& out) const override;
 
  private:
+  void find(SteadyEquation& at, const SteadyRequest& request,
+            FusedState& out) const override;
   void set_mean(const SteadyEquation& at, FusedState& out) const;
 
   std::vector<double> intervals_;  // seconds that lead to each step

@@ -26,9 +26,8 @@ StackedSolver::StackedSolver(const System& system, Solver solver)
   add_slots({&all, 1});
 }
 
-void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
-                          FusedState& out) const {
-  if (reduce(at, request, out)) return;
+void StackedSolver::find(SteadyEquation& at, const SteadyRequest& request,
+                         FusedState& out) const {
   out.of = CovarianceOf::every_update;
   auto& [motion, measurement] = at.steps.front();
   if (system_.covariance == CovarianceKind::single) {
@@ -60,8 +59,8 @@ void StackedSolver::solve(SteadyEquation& at, const SteadyRequest& request,
         time_constant_of_radius(radius_of(at, n), system_.devices.front().period);
 }
 
-StateMatrix StackedSolver::adjoint(const SteadyEquation& at,
-                                   const StateMatrix& Y) const {
+StateMatrix StackedSolver::find_adjoint(const SteadyEquation& at,
+                                        const StateMatrix& Y) const {
   if (at.form) return reduction()->adjoint(*at.form, Y);
   const auto& [motion, measurement] = at.steps.front();
   const Eigen::Index n = measurement.information.rows();

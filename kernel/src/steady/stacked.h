@@ -10,10 +10,12 @@ class StackedSolver final : public SmoothSteadySolver {
  public:
   /// @throws UnsuitableSolver
   StackedSolver(const System& system, Solver solver);
-  void solve(SteadyEquation& at, const SteadyRequest& request,
-             FusedState& out) const override;
-  [[nodiscard]] StateMatrix adjoint(const SteadyEquation& at,
-                                    const StateMatrix& Y) const override;
+
+ private:
+  void find(SteadyEquation& at, const SteadyRequest& request,
+            FusedState& out) const override;
+  [[nodiscard]] StateMatrix find_adjoint(const SteadyEquation& at,
+                                         const StateMatrix& Y) const override;
 };
 
 }  // namespace delos

@@ -7,6 +7,7 @@
 #include "delos/scene/definition.h"
 #include "layers/block.h"
 #include "observe/measure.h"
+#include "riccati/linear.h"
 #include "steady/artemis.h"
 #include "steady/chain_reduction.h"
 #include "steady/continuous.h"
@@ -28,11 +29,17 @@ bool exposes(const System& system) {
                      [](const PlacedDevice& d) { return d.exposure > 0; });
 }
 
+/// @throws std::invalid_argument nobody knows the system's state a moment later
+void check_lag_of(const System& system) {
+  const std::string problem = lag_problem(system.motion, definition_of(system));
+  if (system.lag > 0 && !problem.empty())
+    throw std::invalid_argument("a lag " + problem);
+}
+
 /// @throws std::invalid_argument the system has readings that take time, and can't
 void check_exposures_of(const System& system) {
   if (!exposes(system)) return;
-  const std::string problem =
-      exposure_problem(system.motion, {system.fusion, system.covariance});
+  const std::string problem = exposure_problem(system.motion, definition_of(system));
   if (!problem.empty()) throw std::invalid_argument("an exposure " + problem);
   if (!system.motion.own.empty())
     throw std::invalid_argument(
@@ -92,8 +99,10 @@ SteadySolver::SteadySolver(const System& system, Solver solver)
       solver_(suitable(system, solver)),
       reports_(system.devices.size()) {
   check_exposures_of(system);
+  check_lag_of(system);
   if (solver_ == Solver::spectral)
     reduction_ = std::make_unique<const ChainReduction>(system);
+  if (system.lag > 0) later_ = discretize(system.motion, system.lag);
 }
 
 SteadySolver::~SteadySolver() = default;
@@ -176,6 +185,33 @@ bool SteadySolver::reduce(SteadyEquation& at, const SteadyRequest& request,
   at.form = spectral_form(reduction_->L, m.information.block(first, first, size, size));
   reduction_->solve(*at.form, request, out);
   return true;
+}
+
+void SteadySolver::solve(SteadyEquation& at, const SteadyRequest& request,
+                         FusedState& out) const {
+  if (reduce(at, request, out)) return;
+  find(at, request, out);
+  if (later_) carry(out);
+}
+
+// What is lost stays lost: the motion takes its directions to themselves.
+void SteadySolver::carry(FusedState& out) const {
+  for (StateMatrix* P :
+       {&out.prior, &out.posterior, &out.worst_prior, &out.best_posterior}) {
+    if (P->size() == 0) continue;
+    const StateMatrix then = later_->A * *P * later_->A.transpose() + later_->Q;
+    *P = riccati::projected_off((then + then.transpose()) / 2, out.unobservable);
+  }
+}
+
+StateMatrix SmoothSteadySolver::adjoint(const SteadyEquation& at,
+                                        const StateMatrix& Y) const {
+  if (!later_ || at.form) return find_adjoint(at, Y);
+  // ⟨Y, Φ P Φᵀ + Q⟩ has the slope Φᵀ Y Φ.
+  const Eigen::Index n = later_->A.rows();
+  StateMatrix whole = StateMatrix::Zero(n, n);
+  whole.topLeftCorner(Y.rows(), Y.cols()) = Y;
+  return find_adjoint(at, later_->A.transpose() * whole * later_->A);
 }
 
 std::unique_ptr<const SteadySolver> make_steady_solver(const System& system,

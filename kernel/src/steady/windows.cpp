@@ -92,10 +92,30 @@ MotionStep ExposureWindows::motion_within(double delta,
   return step;
 }
 
+MotionStep ExposureWindows::approximate_motion(std::size_t slot) const {
+  const Eigen::Index n = system_.motion.layout.size(), N = states_;
+  const Eigen::Index d = system_.motion.layout.coordinates();
+  const MotionStep chain = discretize(system_.motion, intervals_[slot]);
+  StateMatrix E = StateMatrix::Zero(N, n);
+  E.topRows(n).setIdentity();
+  for (const Part& part : parts_[slot])
+    if (part.end == slot) E.block(n + d * part.channel, 0, d, d).setIdentity();
+  MotionStep step{StateMatrix::Zero(N, N), E * chain.Q * E.transpose()};
+  step.A.leftCols(n) = E * chain.A;
+  const CoordinateMatrix& q = std::get<ChainMotion>(system_.motion.dynamics).q;
+  for (const Part& part : parts_[slot])
+    if (part.end == slot)
+      step.Q.block(n + d * part.channel, n + d * part.channel, d, d) +=
+          q * motion_variance(system_.exposures, system_.motion.layout.order,
+                              part.exposure);
+  return step;
+}
+
 MotionStep ExposureWindows::motion(std::size_t slot) const {
   const double interval = intervals_[slot];
   const Eigen::Index n = system_.motion.layout.size(), N = states_;
   if (N == n) return discretize(system_.motion, interval);
+  if (system_.exposures != ExposureModel::exact) return approximate_motion(slot);
   const Eigen::Index d = system_.motion.layout.coordinates();
 
   // What has begun goes on; the other channels are empty.

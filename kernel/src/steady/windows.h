@@ -43,6 +43,9 @@ class ExposureWindows {
   void add(std::size_t slot, double exposure);
   [[nodiscard]] std::vector<Part> parts_of(std::size_t slot, double exposure) const;
   [[nodiscard]] const Part* find(std::size_t slot, double exposure) const;
+  /// The motion that leads to a slot, its readings being of that instant with a motion
+  /// of their own: the papers' approximations.
+  [[nodiscard]] MotionStep approximate_motion(std::size_t slot) const;
   /// The motion over δ seconds in which the windows of some parts are open.
   [[nodiscard]] MotionStep motion_within(double delta,
                                          std::span<const Part> open) const;

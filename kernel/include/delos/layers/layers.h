@@ -87,9 +87,11 @@ class DELOS_API InformationLayers {
 /// Whitened rows R^(−1/2) H of every device at one pose, stacked, and the rows measured
 /// without noise; columns as information_size(). What the careful solver reads.
 struct WhitenedRows {
-  Eigen::MatrixXd rows;     ///< M×c
-  Eigen::MatrixXd exact;    ///< E×c
-  std::vector<int> device;  ///< M: whose row it is
+  Eigen::MatrixXd rows;          ///< M×c
+  Eigen::MatrixXd exact;         ///< E×c
+  std::vector<int> device;       ///< M: whose row it is
+  std::vector<double> variance;  ///< M: R of the row, in the device's unit squared
+  std::vector<double> share;     ///< M: how much of an update it is; 1 but for beacons
 };
 [[nodiscard]] DELOS_API WhitenedRows whitened_rows(const System& system,
                                                    const TargetPose& pose);

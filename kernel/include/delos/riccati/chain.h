@@ -8,6 +8,7 @@
 
 #include "delos/api.h"
 #include "delos/model/covariance_kind.h"
+#include "delos/model/exposure_model.h"
 
 namespace delos {
 
@@ -74,9 +75,9 @@ struct ChainSolution {
 [[nodiscard]] DELOS_API double discrete_chain_time_constant(int order, double dt,
                                                             double lambda);
 /// The same of exposed_chain().
-[[nodiscard]] DELOS_API double exposed_chain_time_constant(int order, double dt,
-                                                           double exposure,
-                                                           double lambda);
+[[nodiscard]] DELOS_API double exposed_chain_time_constant(
+    int order, double dt, double exposure, double lambda,
+    ExposureModel model = ExposureModel::exact);
 /// The same under continuous measurement: −1/max Re(pole).
 [[nodiscard]] DELOS_API double continuous_chain_time_constant(int order, double rate);
 

@@ -1,17 +1,20 @@
 // The exact spectral reduction of pose-level measurements.
 #pragma once
 
+#include "delos/model/exposure_model.h"
 #include "delos/model/lanes.h"
 #include "delos/model/state.h"
 #include "delos/riccati/chain.h"
 
 namespace delos {
 
-/// How often a chain is measured.
+/// How often a chain is measured, and when its state is asked for.
 struct Sampling {
   bool continuous = false;  ///< true: λ is an information rate and dt is not used
   double dt = 0;            ///< update period, seconds
   double exposure = 0;      ///< a reading is the mean over so many of them, ≤ dt
+  ExposureModel model = ExposureModel::exact;  ///< of the motion meanwhile
+  double lag = 0;  ///< seconds after what CovarianceKind says, ≥ 0
 };
 
 /// M = LᵀSL = U Λ Uᵀ: the measurement seen in coordinates of unit process noise, q = L

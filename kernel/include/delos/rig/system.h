@@ -18,6 +18,7 @@
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/plugin/registry.h"
+#include "delos/scene/definition.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
@@ -104,6 +105,9 @@ struct DELOS_API System {
   MotionModel motion;
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
+  double lag = 0;  ///< seconds from what `covariance` says to when it is used, ≥ 0
+  ExposureModel exposures =
+      ExposureModel::exact;         ///< how readings that take time count
   std::vector<Metric> own_metrics;  ///< the scene's own, by formulas
   /// Information that every update adds to each coordinate of the pose besides what the
   /// devices measure, or its rate under continuous fusion; 1/m² and 1/rad², ≥ 0.
@@ -145,6 +149,9 @@ struct DELOS_API System {
 /// Whether all devices expose equally long, or none does: what they know of their mean
 /// adds up.
 [[nodiscard]] DELOS_API bool has_one_exposure(const System& system);
+
+/// What a system's numbers are of.
+[[nodiscard]] DELOS_API Definition definition_of(const System& system);
 
 /// By how much of what a device measures at once the information grows in one update,
 /// or, under continuous fusion, in a second: 1, or its rate.

@@ -15,6 +15,7 @@ namespace delos {
 struct Definition {
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
+  double lag = 0;  ///< seconds later
   friend bool operator==(const Definition&, const Definition&) = default;
 };
 
@@ -37,7 +38,8 @@ struct Definition {
 /// The metrics that a scene can name: those of its states, and its own.
 [[nodiscard]] DELOS_API KnownMetrics known_metrics(const Scene& scene);
 
-/// "a-priori covariance, stacked fusion", "covariance of a single reading"
+/// "a-priori covariance, stacked fusion", "a-posteriori covariance 20 ms later, stacked
+/// fusion", "covariance of a single reading"
 [[nodiscard]] DELOS_API std::string to_string(const Definition& definition);
 
 /// Whether numbers of both can be compared: continuous and periodic fusion know no
@@ -52,6 +54,18 @@ struct Definition {
 
 /// Whether all devices have one rate, whatever the variables are set to.
 [[nodiscard]] DELOS_API bool has_one_rate(const Scene& scene);
+
+/// Updates a second: as given, or by the device's timing.
+[[nodiscard]] DELOS_API double rate_of(const DeviceEntry& device);
+
+/// Empty where a device's noise at its exposure is known; else a phrase about the
+/// exposure.
+[[nodiscard]] DELOS_API std::string noise_problem(const DeviceEntry& device);
+
+/// Empty where what is fused so can be carried on for a lag; else why not, a sentence
+/// without its subject.
+[[nodiscard]] DELOS_API std::string lag_problem(const MotionModel& motion,
+                                                const Definition& definition);
 
 /// Empty where a device's reading is over by its next update; else a phrase about its
 /// exposure.

@@ -27,6 +27,7 @@ struct SceneNumber {
 ///   groups.NAME.at.x …
 ///   occluders.NAME.at.x …   target.markers.0.x   target.bodies.NAME.at.x  .half_angle
 ///   surfaces.NAME.patch.origin.x  .patch.u.x  .from.origin.x  .rail.0.x   motion.q.0
+///   lag
 ///
 /// @returns the number, or a sentence that says why there is none, with a suggestion
 [[nodiscard]] DELOS_API std::variant<SceneNumber, std::string> find_number(

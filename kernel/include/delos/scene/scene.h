@@ -15,10 +15,12 @@
 #include "delos/device/parameters.h"
 #include "delos/geometry/body.h"
 #include "delos/model/covariance_kind.h"
+#include "delos/model/exposure_model.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
 #include "delos/sampling/grid.h"
 #include "delos/sampling/sets.h"
+#include "delos/scene/sample_time.h"
 #include "delos/scene/search.h"
 #include "delos/scene/selection.h"
 
@@ -215,11 +217,13 @@ struct Mounting {
 struct DeviceEntry {
   std::string name;
   std::string type;
-  double rate = 0;  ///< updates a second, > 0
+  double rate = 0;  ///< updates a second, > 0; where `timing` is given, see rate_of()
   double phase =
       0;  ///< delay of the first update, seconds, ≥ 0; periodic fusion reads it
   /// A reading is the mean over so many seconds up to its update; at most 1/rate.
   double exposure = 0;
+  std::optional<Timing> timing;  ///< instead of a rate, which follows the exposure
+  std::optional<NoiseOverTime> noise_over_time;  ///< not given: constant
   /// Of `target`: its placement is in the target's frame, and it sees beacons.
   Mount mount = Mount::world;
   std::vector<std::string> beacons;         ///< sets that it sees; empty: all
@@ -261,6 +265,8 @@ struct DELOS_API Scene {
   std::vector<SampleSet> samples;
   Orientations orientations;
   CovarianceKind covariance = CovarianceKind::prior;
+  double lag = 0;  ///< seconds from what `covariance` says to when it is used, ≥ 0
+  ExposureModel exposures = ExposureModel::exact;
   std::vector<MetricEntry> metrics;  ///< its own; each may read those before it
   std::string metric = "eigmax";
   /// Points on the target that point devices observe, metres, in the target's frame.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,10 +42,9 @@ class DELOS_API SteadySolver {
   void read(const LayerBlock& block, int lane, const TargetPose& pose,
             SteadyEquation& at) const;
 
-  /// Steady state of an equation.
+  /// Steady state of an equation, and what is left of it when it is used: System::lag.
   /// @param[in,out] at its states or its form are what adjoint() needs
-  virtual void solve(SteadyEquation& at, const SteadyRequest& request,
-                     FusedState& out) const = 0;
+  void solve(SteadyEquation& at, const SteadyRequest& request, FusedState& out) const;
 
  protected:
   SteadySolver(const System& system, Solver solver);
@@ -54,12 +54,19 @@ class DELOS_API SteadySolver {
   /// @throws std::invalid_argument more readings are under way at once than a state
   ///         holds; the sentence says so
   void add_slots(std::span<const UpdateSlot> slots);
-  /// Solve by the chain reduction; false where that isn't possible.
-  bool reduce(SteadyEquation& at, const SteadyRequest& request, FusedState& out) const;
+  /// Steady state at the updates of what the chain reduction can't solve.
+  virtual void find(SteadyEquation& at, const SteadyRequest& request,
+                    FusedState& out) const = 0;
 
   System system_;
+  std::optional<MotionStep> later_;  ///< the motion over the lag, where there is one
 
  private:
+  /// Solve by the chain reduction; false where that isn't possible.
+  bool reduce(SteadyEquation& at, const SteadyRequest& request, FusedState& out) const;
+  /// P(t + lag) = Φ P Φᵀ + Q(lag)
+  void carry(FusedState& out) const;
+
   Solver solver_;
   std::unique_ptr<const ChainReduction> reduction_;
   std::vector<CycleStep> steps_;
@@ -77,18 +84,21 @@ class DELOS_API SmoothSteadySolver : public SteadySolver {
   /// Rows without noise stay as they are.
   /// @param at solved, and converged
   /// @param Y d×d, of the pose block, or n×n; symmetric
-  [[nodiscard]] virtual StateMatrix adjoint(const SteadyEquation& at,
-                                            const StateMatrix& Y) const = 0;
+  [[nodiscard]] StateMatrix adjoint(const SteadyEquation& at,
+                                    const StateMatrix& Y) const;
 
  protected:
   SmoothSteadySolver(const System& system, Solver solver)
       : SteadySolver(system, solver) {}
+  /// adjoint() of P∞ at the updates, which reduction() may have solved.
+  [[nodiscard]] virtual StateMatrix find_adjoint(const SteadyEquation& at,
+                                                 const StateMatrix& Y) const = 0;
 };
 
 /// The solver of a system's fusion.
 /// @throws UnsuitableSolver the solver can't do this system
 /// @throws std::invalid_argument the rates have no short cycle, the fusion knows no
-///         exposure, or too many overlap; the sentence says what would help
+///         exposure or no lag, or too many overlap; the sentence says what would help
 [[nodiscard]] DELOS_API std::unique_ptr<const SteadySolver> make_steady_solver(
     const System& system, Solver solver = Solver::automatic);
 

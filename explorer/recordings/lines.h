@@ -1,0 +1,61 @@
+// What the readers of all formats share: lines, cells, numbers, times.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recordings/recording.h"
+
+namespace delos::recordings {
+
+/// A file while it is read.
+struct Lines {
+  std::string file;
+  std::vector<std::string_view> lines;  ///< without their ends
+  Diagnostics& findings;
+
+  /// @param line from 0
+  void error(std::size_t line, int column, std::string problem) const;
+  void warning(std::size_t line, std::string problem) const;
+};
+
+/// One field of a line.
+struct Cell {
+  std::string_view text;  ///< trimmed
+  int column = 0;         ///< from 1
+};
+
+/// @param separators any one of them ends a cell; blanks: runs of them
+[[nodiscard]] std::vector<Cell> cells_of(std::string_view line, char separator);
+
+/// A number with a point, of the whole cell; NaN where it is empty or "nan".
+/// @returns nullopt where it is neither
+[[nodiscard]] std::optional<double> number_of(std::string_view text);
+
+/// How many metres, or seconds, one of a unit is; nullopt: no such unit.
+[[nodiscard]] std::optional<double> unit_of(std::string_view name, bool of_time);
+
+/// Frames and when they were taken, in the order of the file.
+struct Frames {
+  std::vector<std::size_t> line;  ///< of each, from 0
+  std::vector<double> time;       ///< seconds
+  std::vector<double> values;     ///< three a track, metres, frame after frame
+};
+
+/// Evenly spaced frames: the period is the times' median step, and what is missing in
+/// between becomes a gap.
+/// @param period that the file says, else 0
+/// @returns nullopt with findings: times that don't grow, or aren't evenly spaced, or
+///          contradict the period
+[[nodiscard]] std::optional<Recording> evenly_spaced(
+    const Lines& lines, const std::vector<std::string>& names, const Frames& frames,
+    double period);
+
+[[nodiscard]] std::optional<Recording> read_csv(const Lines& lines,
+                                                const ReadOptions& options);
+[[nodiscard]] std::optional<Recording> read_trc(const Lines& lines);
+[[nodiscard]] std::optional<Recording> read_tum(const Lines& lines);
+
+}  // namespace delos::recordings

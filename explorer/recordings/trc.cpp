@@ -1,0 +1,78 @@
+// Track Row Column, of Motion Analysis and OpenSim: five lines of head, then frame
+// number, time and x, y, z of each marker, with tabs or commas.
+#include <algorithm>
+#include <cmath>
+
+#include "recordings/lines.h"
+
+namespace delos::recordings {
+
+std::optional<Recording> read_trc(const Lines& lines) {
+  constexpr std::size_t kHead = 5;
+  if (lines.lines.size() < kHead || !lines.lines[0].starts_with("PathFileType")) {
+    lines.error(0, 1,
+                "doesn't begin as a TRC file does, with PathFileType and five "
+                "lines of head");
+    return std::nullopt;
+  }
+  const std::size_t before = lines.findings.size();
+  const char separator =
+      lines.lines[0].find('\t') != std::string_view::npos ? '\t' : ',';
+  const auto keys = cells_of(lines.lines[1], separator),
+             facts = cells_of(lines.lines[2], separator);
+  const auto fact = [&](std::string_view key) -> Cell {
+    for (std::size_t i = 0; i < std::min(keys.size(), facts.size()); ++i)
+      if (keys[i].text == key) return facts[i];
+    lines.error(1, 1, "lacks " + std::string(key));
+    return {};
+  };
+  const Cell rate_cell = fact("DataRate"), unit_cell = fact("Units");
+  const double rate = number_of(rate_cell.text).value_or(0);
+  const auto unit = unit_of(unit_cell.text, false);
+  if (!(rate > 0)) lines.error(2, rate_cell.column, "its DataRate isn't above 0");
+  if (!unit)
+    lines.error(2, unit_cell.column,
+                "'" + std::string(unit_cell.text) + "' is no unit of length");
+  std::vector<std::string> names;
+  std::vector<std::size_t> first;
+  const auto heads = cells_of(lines.lines[3], separator);
+  for (std::size_t c = 2; c < heads.size(); ++c) {
+    if (heads[c].text.empty()) continue;
+    std::string name(heads[c].text);
+    // Some files name a marker twice.
+    if (std::find(names.begin(), names.end(), name) != names.end())
+      name += "#" + std::to_string(names.size() + 1);
+    names.push_back(std::move(name));
+    first.push_back(c);
+  }
+  if (names.empty()) lines.error(3, 1, "names no marker");
+  if (lines.findings.size() > before) return std::nullopt;
+
+  Frames frames;
+  for (std::size_t l = kHead; l < lines.lines.size(); ++l) {
+    const auto cells = cells_of(lines.lines[l], separator);
+    const bool blank = std::all_of(cells.begin(), cells.end(),
+                                   [](const Cell& c) { return c.text.empty(); });
+    if (blank) continue;
+    const auto value = [&](std::size_t c) {
+      if (c >= cells.size()) return std::nan("");  // cut off: not seen
+      const auto number = number_of(cells[c].text);
+      if (!number)
+        lines.error(l, cells[c].column,
+                    "'" + std::string(cells[c].text) + "' isn't a number");
+      return number.value_or(0);
+    };
+    const double when = value(1);
+    if (std::isnan(when)) lines.error(l, 1, "has no time");
+    frames.line.push_back(l);
+    frames.time.push_back(when);
+    for (const std::size_t at : first)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        frames.values.push_back(value(at + axis) * *unit);
+    if (lines.findings.size() > before + 20) break;
+  }
+  if (lines.findings.size() > before) return std::nullopt;
+  return evenly_spaced(lines, names, frames, 1 / rate);
+}
+
+}  // namespace delos::recordings
