@@ -37,10 +37,11 @@ TEST(Fiducial, KnowsItsTurnAboutTheSightLine) {
               1e-9 * expected);
 }
 
-// The image ends at 2 · 640/800 = 1.6 m: a tag whose edge is beyond is not read at all.
+// The image ends at 2 · 640/800 = 1.6 m in x and 2 · 480/800 = 1.2 m in y: a tag whose
+// edge is beyond is not read at all.
 TEST(Fiducial, IsReadWholeOrNotAtAll) {
   Scene scene =
-      scene_of(tag("", "[[0, 1.549, 0], [0, 1.551, 0], [1.149, 0, 0], [1.151, 0, 0]]"));
+      scene_of(tag("", "[[1.549, 0, 0], [1.551, 0, 0], [0, 1.149, 0], [0, 1.151, 0]]"));
   scene.metric = "coverage";
   EXPECT_EQ(field_of(scene).value, (std::vector<double>{1, 0, 1, 0}));
 }

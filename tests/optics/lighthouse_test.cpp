@@ -119,15 +119,15 @@ TEST(Lighthouse, IsNoCameraOffItsAxis) {
   const auto sigma = [&](const std::string& device) {
     // Where across the sight line is along y: another looks along y and z.
     return value_of(
-        scene_of(
-            "delos: 1\nmotion: {type: position, q: [1, 1, 1]}\ncovariance: single\n"
-            "metric: sigma_x\nsample: {points: [[" +
-            std::to_string(x) + ", 0, " + std::to_string(z) +
-            "]]}\ndevices:\n  - {name: a, rate: 1, " + device +
-            "}\n  - {name: fix, rate: 1, type: linear, params: {H: [[0,1,0],[" +
-            std::to_string(std::sin(std::numbers::pi / 3)) + ",0," +
-            std::to_string(std::cos(std::numbers::pi / 3)) +
-            "]], R: [[1e-12,0],[0,1e-12]]}}\n"),
+        scene_of("delos: 1\nmotion: {type: position, q: [1e9, 1e9, 1e9]}\n"
+                 "covariance: posterior\n"
+                 "metric: sigma_x\nsample: {points: [[" +
+                 std::to_string(x) + ", 0, " + std::to_string(z) +
+                 "]]}\ndevices:\n  - {name: a, rate: 1, " + device +
+                 "}\n  - {name: fix, rate: 1, type: linear, params: {H: [[0,1,0],[" +
+                 std::to_string(std::sin(std::numbers::pi / 3)) + ",0," +
+                 std::to_string(std::cos(std::numbers::pi / 3)) +
+                 "]], R: [[1e-12,0],[0,1e-12]]}}\n"),
         "sigma_x");
   };
   const double swept = sigma(
