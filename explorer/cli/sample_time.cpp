@@ -256,7 +256,7 @@ void add_sample_time_command(CLI::App& program, int& exit_code) {
   add_scene_options(*app, command->options);
   app->footer(
       "Examples:\n"
-      "  delos sample-time scenes/30-shutter-room.yaml --at 2,2,1 --out curves.html\n"
+      "  delos sample-time scenes/33-shutter-room.yaml --at 2,2,1 --out curves.html\n"
       "  delos sample-time scenes/31-photodiode-window.yaml --motion update\n"
       "      --deviations --from '21 us' --to '315 us' --step '21 us'");
   app->callback([command, &exit_code] { exit_code = run(*command); });
