@@ -3,21 +3,13 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <random>
 
 #include "device/devices.h"
+#include "device/look.h"
 
 namespace delos::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
-
-std::optional<Observation> look(const Device& device, const Eigen::Vector3d& p) {
-  Observation out;
-  if (!device.observe(Target{.p_ST = p, .state = {}}, out)) return {};
-  return out;
-}
 
 Eigen::Vector3d ray(double angle, double way = 0) {
   return {std::sin(angle) * std::cos(way), std::sin(angle) * std::sin(way),

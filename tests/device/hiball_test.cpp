@@ -10,13 +10,12 @@
 
 #include "../../plugins/hiball/photodiode.h"
 #include "device/devices.h"
+#include "device/look.h"
 
 namespace delos::test {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 // Allen (2007), Appendix C: the listing's parameters; rie, current and the temperature
 // are derived from its check value, see the plugin's README.

@@ -4,18 +4,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "device/devices.h"
+#include "device/look.h"
 
 namespace delos::test {
 namespace {
-
-std::optional<Observation> look(const Device& device, const Eigen::Vector3d& p) {
-  Observation out;
-  if (!device.observe(Target{.p_ST = p, .state = {}}, out)) return {};
-  return out;
-}
 
 // How crazyflie-firmware converts angles (docs/functional-areas/lighthouse/
 // angle_conversion.md), with the rotor's axis down and t = 30 degrees:
