@@ -210,10 +210,11 @@ std::vector<std::pair<SampleTimeRow, RowCurves>> rows_at(
       const Eigen::RowVectorXd h =
           all.rows.row(r).head(d) * std::sqrt(R / all.share[index]);
       const double spread = h * q * h.transpose();
-      own.push_back({SampleTimeRow{entry.name, own.size()},
-                     RowCurves{entry, question, loaded.scene.motion.layout.order,
-                               R / noise_of(entry, entry.exposure), spread,
-                               h.head(loaded.scene.motion.layout.positions()).norm()}});
+      own.emplace_back(
+          SampleTimeRow{entry.name, own.size()},
+          RowCurves{entry, question, loaded.scene.motion.layout.order,
+                    R / noise_of(entry, entry.exposure), spread,
+                    h.head(loaded.scene.motion.layout.positions()).norm()});
       if (spread / R <= information) continue;
       information = spread / R;
       most = own.size() - 1;
@@ -225,7 +226,7 @@ std::vector<std::pair<SampleTimeRow, RowCurves>> rows_at(
     }
     for (auto& [row, curves] : own) {
       row.rows = count;
-      found.push_back({row, curves});
+      found.emplace_back(row, curves);
     }
   }
   if (found.empty())
@@ -299,8 +300,9 @@ SampleTimeAnswer answer_sample_time(const LoadedScene& loaded,
 
   const RowCurves* informs_most = nullptr;
   double most = -1;
-  for (const auto& [row, curves] : rows) {
-    SampleTimeRow out = row;
+  for (const auto& measured : rows) {
+    SampleTimeRow out = measured.first;
+    const RowCurves& curves = measured.second;
     out.noise = drawn(times, [&](double t) { return curves.noise(t); });
     out.motion = drawn(times, [&](double t) { return curves.motion(t); });
     out.sum = drawn(times, [&](double t) { return curves.sum(t); });
