@@ -298,7 +298,7 @@ SampleTimeAnswer answer_sample_time(const LoadedScene& loaded,
   answer.least = metric(best.at);
   answer.at_end = best.end;
 
-  const RowCurves* informs_most = nullptr;
+  const RowCurves* informs_most = &rows.front().second;
   double most = -1;
   for (const auto& measured : rows) {
     SampleTimeRow out = measured.first;

@@ -46,6 +46,7 @@ TEST(Simulate, FindsConsistentFiltersOnShippedScenes) {
       {"15-uwb-anchors", "4,3,1.5", "150", "0.5"},
       {"18-floor-robot", "3,3,0", "150", "20"},
       {"19-inertial-camera", "1.5,1.5,1.3", "40", "0.2"},
+      {"25-tdoa", "3,3,1", "150", "2"},  // readings that a clock shifts
       {"hiball/six-lepd", "4.5,7.5,1.9", "60", "0.1"},
   };
   for (const auto& c : commands) {

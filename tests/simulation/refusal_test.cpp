@@ -33,6 +33,14 @@ TEST(Refusal, SaysWhy) {
   System artemis = system;
   artemis.fusion = Fusion::artemis;
   EXPECT_NE(refused(artemis).find("artemis"), std::string::npos);
+  System later = system;
+  later.lag = 0.01;
+  EXPECT_NE(refused(later).find("lag"), std::string::npos);
+  System approximate = system;
+  approximate.exposures = ExposureModel::averaged;
+  EXPECT_EQ(refused(approximate, {.runs = 2, .seconds = 0.1}), "");  // nothing exposes
+  for (PlacedDevice& placed : approximate.devices) placed.exposure = 0.01;
+  EXPECT_NE(refused(approximate).find("approximations"), std::string::npos);
   System odd = system;
   odd.fusion = Fusion::periodic;
   odd.devices[0].period = 1 / 50.0 * std::sqrt(2.0);

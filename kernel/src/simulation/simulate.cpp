@@ -72,6 +72,14 @@ void each_bound(const MotionSteps& steps, const StateMatrix& root, const Tally& 
 void check_simulated(const System& system, const SimulationOptions& options) {
   bool exposes = false;
   for (const PlacedDevice& placed : system.devices) exposes |= placed.exposure > 0;
+  if (system.lag > 0)
+    throw std::invalid_argument(
+        "errors are of each instant, and P∞ of a lag isn't: leave lag out, or set it "
+        "to 0");
+  if (exposes && system.exposures != ExposureModel::exact)
+    throw std::invalid_argument(
+        "readings are simulated as they are, not as the papers' approximations have "
+        "them; leave exposures out, or use exposures: exact");
   if (exposes && system.motion.layout.turns() == 3)
     throw std::invalid_argument(
         "readings that take time of a target that turns in space aren't simulated; "
