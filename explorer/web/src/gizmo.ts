@@ -20,6 +20,9 @@ export class Gizmo {
     this.controls.setSize(0.8);
     stage.scene.add(this.controls.getHelper());
     this.controls.addEventListener('change', () => stage.draw());
+    this.controls.addEventListener('axis-changed', () => {
+      stage.canvas.style.cursor = this.hovered ? 'grab' : '';
+    });
     this.controls.addEventListener('dragging-changed', ({ value }) => {
       stage.orbit.enabled = !value;
       this.gesture = value ? newGesture() : '';

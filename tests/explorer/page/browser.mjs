@@ -90,6 +90,13 @@ export const settled = (page) =>
       document.querySelector('#numbers').dataset.level === 'full',
   );
 
+/** Wait until the picture shows what was asked of it: handles are found where they were last
+ * drawn. */
+export const drawn = (page) =>
+  page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
+
 /** A picture for people to look at. */
 export const picture = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
 

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import {
   axeSource,
   delos,
+  drawn,
   drive,
   picture,
   pictures,
@@ -63,6 +64,13 @@ async function save(page, name) {
 const box = (page, label) => page.getByLabel(label, { exact: true }).first();
 const slider = (page, label) => page.locator(`input[type=range][aria-label^="${label}, "]`);
 
+/** Press on a handle of the gizmo. */
+async function grab(page, x, y) {
+  await page.mouse.move(x, y);
+  await page.waitForFunction(() => document.querySelector('#viewport canvas').style.cursor === 'grab');
+  await page.mouse.down();
+}
+
 /** Drag by the hand: press on the element, move, let go. */
 async function dragSlider(page, label, part) {
   await slider(page, label).scrollIntoViewIfNeeded();
@@ -119,25 +127,25 @@ await test('first minute', [], async (page) => {
 await test('a camera in the hand', [laboratory], async (page) => {
   await settled(page);
   await page.click('[data-device=c104334]');
+  await drawn(page);
   const before = Number((await box(page, 'z').inputValue()).replace(' m', ''));
   const tag = await page.locator('.tag.selected').boundingBox();
   // The upright arrow of the gizmo begins above the icon.
   const hand = { x: tag.x + tag.width / 2 + 2, y: tag.y + tag.height / 2 - 20 };
-  await page.mouse.move(hand.x, hand.y);
-  await page.mouse.down();
-  let drawn = 0;
+  await grab(page, hand.x, hand.y);
+  let followed = 0;
   let revision = '';
   for (let k = 1; k <= 10; ++k) {
     await page.mouse.move(hand.x, hand.y - 5 * k);
     await page.waitForTimeout(60);
     const now = await page.getAttribute('#numbers', 'data-revision');
-    drawn += now !== revision;
+    followed += now !== revision;
     revision = now;
   }
   await picture(page, 'dragged');
   await page.mouse.up();
   await settled(page);
-  assert.ok(drawn >= 4, `the field follows while it moves: ${drawn} times`);
+  assert.ok(followed >= 4, `the field follows while it moves: ${followed} times`);
   const after = Number((await box(page, 'z').inputValue()).replace(' m', ''));
   assert.ok(after > before + 0.2, `${before} to ${after} m`);
   const file = await save(page, 'dragged.yaml');
@@ -155,8 +163,9 @@ await test('a camera in the hand', [laboratory], async (page) => {
 await test('a camera that turns', [laboratory], async (page) => {
   await settled(page);
   await page.click('[data-device=c104334]');
-  await page.click('text=top');
+  await page.getByText('top', { exact: true }).click();
   await page.keyboard.press('r');
+  await drawn(page);
   const angle = async (name) => Number((await box(page, name).inputValue()).replace(' deg', ''));
   const before = await Promise.all(['roll', 'pitch', 'yaw'].map(angle));
   const z = await box(page, 'z').inputValue();
@@ -167,8 +176,7 @@ await test('a camera that turns', [laboratory], async (page) => {
     icon.x - ring * Math.cos((degrees * Math.PI) / 180),
     icon.y - ring * Math.sin((degrees * Math.PI) / 180),
   ];
-  await page.mouse.move(...around(0));
-  await page.mouse.down();
+  await grab(page, ...around(0));
   for (let degrees = 3; degrees <= 30; degrees += 3) await page.mouse.move(...around(degrees));
   await picture(page, 'turned');
   await page.mouse.up();
