@@ -76,6 +76,58 @@ void print_shares(std::ostream& out, const PointReport& report,
   }
 }
 
+/// "12.3 mm"; of what isn't observed, so.
+std::string value_text(double value, const std::string& unit) {
+  return std::isfinite(value) ? format_quantity(value, unit) : "not observed";
+}
+
+/// Every metric a line, with its parts where devices say how well they are known.
+void print_metrics(std::ostream& out, const PointReport& report, ErrorPart part) {
+  std::vector<std::vector<std::string>> lines;
+  if (report.budget) lines.push_back({"", to_string(part), "scatter", "bias"});
+  for (std::size_t m = 0; m < report.metrics.size(); ++m) {
+    const auto& [metric, value] = report.metrics[m];
+    // Most devices have no pixels.
+    if (metric.kind == MetricKind::footprint && !std::isfinite(value)) continue;
+    lines.push_back({metric.name, value_text(value, metric.unit)});
+    // What says nothing of an error has no parts.
+    if (!report.budget || metric.kind == MetricKind::coverage ||
+        metric.kind == MetricKind::footprint || metric.kind == MetricKind::latency)
+      continue;
+    const double bias = report.budget->bias[m];
+    lines.back().push_back(value_text(report.budget->scatter[m], metric.unit));
+    // Of no volume, it has no finite one.
+    lines.back().push_back(std::isfinite(bias) ? value_text(bias, metric.unit) : "-");
+  }
+  std::vector<std::size_t> widths = {18, 0, 0, 0};
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i)
+      widths[i] = std::max(widths[i], line[i].size() + 2);
+  for (const auto& line : lines) {
+    out << "  ";
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) out << cell(line[i], widths[i]);
+    out << line.back() << "\n";
+  }
+}
+
+/// What better calibrations are worth, and how far plain least squares is off.
+void print_budget(std::ostream& out, const PointReport& report, const Metric& metric) {
+  if (!report.budget) return;
+  const bool any = std::any_of(report.devices.begin(), report.devices.end(),
+                               [](const DeviceShare& d) { return d.calibration != 0; });
+  if (any)
+    out << "Known exactly, this device alone would lower " + metric.name + " by\n";
+  for (const DeviceShare& d : report.devices)
+    if (d.calibration != 0)
+      out << "  " << cell(d.name, 18) << std::setprecision(3) << 100 * d.calibration
+          << " %\n";
+  if (const auto& plain = report.budget->plain)
+    out << "Plain least squares of one reading: " << metric.name << " "
+        << value_text(plain->total, metric.unit) << ", scatter "
+        << value_text(plain->scatter, metric.unit) << " and bias "
+        << value_text(plain->bias, metric.unit) << "\n";
+}
+
 void print(std::ostream& out, const PointAnswer& answer, const LoadedScene& loaded) {
   const PointReport& report = answer.report;
   const FusedState& state = report.state;
@@ -93,18 +145,9 @@ void print(std::ostream& out, const PointAnswer& answer, const LoadedScene& load
       << to_string(report.solver) << "\n";
   if (state.of != CovarianceOf::every_update)
     out << "P∞ is " << to_string(state.of) << "\n";
-  std::size_t width = 18;
-  for (const MetricValue& m : report.metrics)
-    width = std::max(width, m.metric.name.size() + 2);
-  for (const MetricValue& m : report.metrics) {
-    // Most devices have no pixels.
-    if (m.metric.kind == MetricKind::footprint && !std::isfinite(m.value)) continue;
-    out << "  " << cell(m.metric.name, width)
-        << (std::isfinite(m.value) ? format_quantity(m.value, m.metric.unit)
-                                   : std::string("not observed"))
-        << "\n";
-  }
+  print_metrics(out, report, loaded.system.error);
   print_shares(out, report, loaded.metric.name);
+  print_budget(out, report, loaded.metric);
   if (!answer.sightings.empty()) out << "Beacons in view\n";
   print_sightings(out, answer.sightings);
   for (const std::string& why : blind_devices(loaded.system, {report.pose})) {

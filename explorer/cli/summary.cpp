@@ -92,7 +92,8 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
         << format_quantity(100 * *field.discretization_error, "1", 2)
         << " % over 95 % of the volume\n";
   }
-  const bool scatter = loaded.metric.kind != MetricKind::footprint;
+  const bool scatter =
+      loaded.metric.kind != MetricKind::footprint && !counts_bias(loaded.system);
   if (scatter && (field.unit == "m" || field.unit == "rad")) {
     out << "This is scatter: a bias that the scene doesn't model comes on top.\n";
   }

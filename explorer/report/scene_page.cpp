@@ -23,7 +23,8 @@ Html headline(const SceneReport& r) {
                 : std::to_string(s.observable) + " of " + std::to_string(s.samples) +
                       " samples are observable.";
   }
-  if (r.field.unit == "m" || r.field.unit == "rad")
+  const ErrorPart part = r.field.definition.error.value_or(ErrorPart::scatter);
+  if (part == ErrorPart::scatter && (r.field.unit == "m" || r.field.unit == "rad"))
     text += " This is scatter: a bias that the scene doesn't model comes on top.";
   return element("p", {{"class", "answer"}}, text);
 }

@@ -70,9 +70,24 @@ Json point_json(const PointAnswer& answer, const LoadedScene& loaded) {
   if (answer.mending)
     json["one_more_device"] = mending_json(*answer.mending, loaded.metric);
   json["metrics"] = Json::object();
-  for (const MetricValue& m : report.metrics) {
-    json["metrics"][m.metric.name] = {{"value", number(m.value)},
-                                      {"unit", m.metric.unit}};
+  for (std::size_t m = 0; m < report.metrics.size(); ++m) {
+    Json& metric = json["metrics"][report.metrics[m].metric.name];
+    metric = {{"value", number(report.metrics[m].value)},
+              {"unit", report.metrics[m].metric.unit}};
+    if (!report.budget) continue;
+    metric["scatter"] = number(report.budget->scatter[m]);
+    metric["bias"] = number(report.budget->bias[m]);
+    metric["total"] = number(report.budget->total[m]);
+  }
+  if (report.budget) {
+    json["error"] = to_string(loaded.system.error);
+    const auto& plain = report.budget->plain;
+    json["plain_least_squares"] = plain ? Json({{"metric", loaded.metric.name},
+                                                {"scatter", number(plain->scatter)},
+                                                {"bias", number(plain->bias)},
+                                                {"total", number(plain->total)},
+                                                {"unit", loaded.metric.unit}})
+                                        : Json();
   }
   // Before a single reading nothing is known.
   json["P_prior"] = loaded.system.covariance == CovarianceKind::single
@@ -90,6 +105,7 @@ Json point_json(const PointAnswer& answer, const LoadedScene& loaded) {
                                {"type", d.type},
                                {"visible", d.visible},
                                {"share", number(d.share)}});
+    if (report.budget) json["devices"].back()["calibration"] = number(d.calibration);
   }
   if (answer.sightings.empty()) return json;
   json["sightings"] = Json::array();

@@ -53,6 +53,7 @@ class DepthCamera final : public delos::PointDevice<DepthCamera, 3> {
           "how well is a depth measured? give depth_sigma, depth_growth, or baseline "
           "and "
           "subpixel");
+    second_ = p["baseline"];
     const double growth = stereo ? p["subpixel"] / (camera_.f_across() * p["baseline"])
                                  : p["depth_growth"];
     growing_ = growth * growth;
@@ -73,6 +74,13 @@ class DepthCamera final : public delos::PointDevice<DepthCamera, 3> {
                            : camera_.view_of_ball(center, radius);
   }
 
+  /// Both eyes must see a point: the other one is a baseline along x away.
+  std::vector<Eigen::Vector3d> lenses() const override {
+    std::vector<Eigen::Vector3d> eyes = {Eigen::Vector3d::Zero()};
+    if (second_ > 0) eyes.emplace_back(second_, 0, 0);
+    return eyes;
+  }
+
   double footprint(const Eigen::Vector3d& p) const override {
     return camera_.footprint(p);
   }
@@ -82,6 +90,7 @@ class DepthCamera final : public delos::PointDevice<DepthCamera, 3> {
   double variance_;     // px²
   double depth_;        // m²
   double growing_ = 0;  // 1/m²
+  double second_ = 0;   // baseline, m
 };
 
 }  // namespace

@@ -93,6 +93,7 @@ Chance by_chance(std::uint64_t seed, bool in_world, bool on_target) {
       device = std::make_shared<testing::TestLinear>(
           Span::pose, Eigen::MatrixXd::Identity(3, 6), Eigen::MatrixXd::Identity(3, 3));
     system.devices.push_back(testing::place("d", device, X, 10));
+    if (i % 6 == 2) system.devices.back().lenses.emplace_back(0.4, 0.1, 0);
     const bool always = i == 11 || i == 30;
     chance.all.of_device.push_back(
         always ? -1 : static_cast<int>(chance.all.candidates.size()));
@@ -123,8 +124,7 @@ bool sees(const System& system, const PlacedDevice& placed, const TargetPose& X_
   }
   for (const PlacedMarker& marker : system.markers) {
     target.p_ST = X_SW * (X_WT * marker.p);
-    if (placed.device->observe(target, out) &&
-        in_sight(system, placed.X_WS().p, X_WT, marker))
+    if (placed.device->observe(target, out) && in_sight(system, placed, X_WT, marker))
       return true;
   }
   return false;

@@ -102,6 +102,42 @@ TEST(Sight, AnOccluderOnTheTargetTurnsWithIt) {
   EXPECT_EQ(at_heading(std::numbers::pi), (std::vector<double>{1, 0}));
 }
 
+// A pair of eyes sees what both see; boxes as well as points.
+TEST(Sight, EveryLensMustSee) {
+  const Eigen::Vector3d second(0.8, 0.3, -0.2);
+  for (const bool in_lanes : {true, false}) {
+    System left = behind_a_wall(in_lanes);
+    left.markers = {{0, 0, 0.05}};
+    left.on_target = Occluders({make_box({0.1, -0.5, -0.5}, {0.12, 0.5, 0.5})});
+    left.devices[0].X_WS().R = rotation_from_rpy({0.1, 0.2, 0.3});
+    System right = left, both = left;
+    right.devices[0].X_WS().p = left.devices[0].X_WS() * second;
+    both.devices[0].lenses.push_back(second);
+    const Samples samples = random_points(5, 4000);
+    const std::vector<double> by_left = coverage(left, samples).value,
+                              by_right = coverage(right, samples).value,
+                              by_both = coverage(both, samples).value;
+    int differ = 0;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+      ASSERT_EQ(by_both[i], std::min(by_left[i], by_right[i])) << i;
+      differ += by_left[i] != by_right[i];
+    }
+    EXPECT_GT(differ, 100);
+    for (std::size_t i = 0; i < 300; ++i) {
+      const Eigen::Vector3d p = samples.points[i];
+      const Eigen::AlignedBox3d box(p, p + Eigen::Vector3d(0.3, 0.2, 0.4));
+      const auto of = [&](const System& system) {
+        return sight_of_box(system, system.devices[0], Eigen::Matrix3d::Identity(),
+                            system.markers[0], box);
+      };
+      const Sight a = of(left), b = of(right);
+      EXPECT_EQ(of(both), a == Sight::hidden || b == Sight::hidden ? Sight::hidden
+                          : a == b                                 ? a
+                                                                   : Sight::unknown);
+    }
+  }
+}
+
 TEST(Sight, DevicesThatNeedNoneSeeThroughWalls) {
   class Through final : public testing::TestFullRange {
    public:
@@ -190,7 +226,8 @@ TEST(Sight, OfABoxHoldsAtAllItsPoints) {
             k < 8 ? Eigen::Vector3d(k & 1, k >> 1 & 1, k >> 2)
                   : Eigen::Vector3d(part(random), part(random), part(random));
         const TargetPose X_WT{R, min + t.cwiseProduct(sizes)};
-        ASSERT_EQ(in_sight(system, {0, 0, 0}, X_WT, marker), sight == Sight::clear)
+        ASSERT_EQ(in_sight(system, system.devices[0], X_WT, marker),
+                  sight == Sight::clear)
             << "box " << i << ", point " << k;
       }
     }

@@ -162,9 +162,9 @@ TEST(MarkerBodies, BoxesOfPlacesFaceAsTheirPointsDo) {
     ++said[static_cast<int>(sight)];
     for (int k = 0; k < 20 && sight != Sight::unknown; ++k) {
       const Eigen::Vector3d t(part(random), part(random), part(random));
-      ASSERT_EQ(in_sight(system, system.devices[0].X_WS().p,
-                         {R, min + t.cwiseProduct(sizes)}, marker),
-                sight == Sight::clear);
+      ASSERT_EQ(
+          in_sight(system, system.devices[0], {R, min + t.cwiseProduct(sizes)}, marker),
+          sight == Sight::clear);
     }
   }
   for (const int count : said) EXPECT_GT(count, 100);

@@ -47,6 +47,16 @@ TEST(Override, ReachesEveryKindOfValue) {
   EXPECT_EQ(changed("name", "'a: b'").name, "a: b");
 }
 
+TEST(Override, ReachesAllMembersByAStar) {
+  const Scene scene = changed("devices.*.rate", "7 Hz");
+  ASSERT_GT(scene.devices.size(), 1u);
+  for (const DeviceEntry& device : scene.devices) EXPECT_EQ(device.rate, 7);
+  EXPECT_EQ(changed("groups.*.at.x", "3").groups[0].placement.at.x(), 3);
+  EXPECT_EQ(load(kGood, {{"name.*.x", "1"}}).findings.front(),
+            "--set name.*.x: error: name.*: there are no members");
+  EXPECT_FALSE(load(kGood, {{"devices.*.rates", "1"}}).scene);
+}
+
 TEST(Override, KnowsAnglesAndQuaternionsByTheirOwnNames) {
   const std::string rpy = good_with("aim: [0, 0, 0]", "rpy: [0, 0, 0]");
   EXPECT_EQ(

@@ -56,6 +56,19 @@ Node* find_member(Node& list, const std::string& segment, const std::string& key
   return index < list.items.size() ? &list.items[index] : nullptr;
 }
 
+/// What paths call the members of a list or a map.
+std::vector<std::string> member_names(const Node& node) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Node* name = node.items[i].find("name");
+    const bool named = is_list(node) && name && name->kind == Node::Kind::scalar;
+    names.push_back(named           ? name->text
+                    : is_list(node) ? std::to_string(i)
+                                    : node.keys[i].text);
+  }
+  return names;
+}
+
 /// What could have been meant instead of a member that isn't there.
 std::string members_text(const Node& list, const std::string& segment,
                          const std::string& key) {
@@ -166,6 +179,21 @@ class Walk {
 
 void replace_value(Node& root, const std::string& path, Node value, Mark where,
                    Findings& findings) {
+  const std::size_t star = path.starts_with("*.") ? 0 : path.find(".*.");
+  if (star != std::string::npos) {
+    const std::string before = path.substr(0, star),
+                      after = path.substr(path.find('*', star) + 1);
+    const Node* all = before.empty() ? &root : Walk(before, where, findings).find(root);
+    if (!all) return;
+    const std::vector<std::string> members = member_names(*all);
+    if (members.empty())
+      findings.error(where, before.empty() ? "*" : before + ".*",
+                     "there are no members");
+    for (const std::string& member : members)
+      replace_value(root, (before.empty() ? "" : before + '.') + member + after, value,
+                    where, findings);
+    return;
+  }
   if (Node* node = Walk(path, where, findings).find(root)) *node = std::move(value);
 }
 

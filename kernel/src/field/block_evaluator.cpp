@@ -20,12 +20,16 @@ BlockEvaluator::BlockEvaluator(const SteadySolver& solver, const System& system,
       with_footprint_(reads(metric, MetricKind::footprint)),
       request_(request_for(system, {&metric, 1})),
       equation_(solver.equation()),
-      P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {}
+      P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {
+  if (!counts_bias(system) || need_ == MetricNeed::nothing) return;
+  bias_.emplace(system);
+  bias_->widen(request_);
+}
 
 void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses,
                                 PoseValue* values) {
   const ChainReduction* reduction = solver_.reduction();
-  const bool in_lanes = reduction && need_ <= MetricNeed::pose_block;
+  const bool in_lanes = reduction && need_ <= MetricNeed::pose_block && !bias_;
   if (in_lanes) {
     reduction->pose_covariances(block, P_.data(), lost_);
     for (int lane = 0; lane < block.lanes && with_facts_; ++lane)
@@ -44,7 +48,9 @@ void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses
 PoseValue BlockEvaluator::solved_value(const LayerBlock& block, int lane,
                                        const TargetPose& pose) {
   solver_.read(block, lane, pose, equation_);
+  if (bias_) information_ = information_of(equation_);
   solver_.solve(equation_, request_, state_);
+  if (bias_) (*bias_)(pose, information_, state_);
   const double value =
       state_metric(metric_, system_.motion.layout, state_, system_.covariance,
                    facts_of(system_, block, lane, pose, with_footprint_));

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
 #include "field/pose_facts.h"
+#include "steady/bias.h"
 
 namespace delos {
 
@@ -42,6 +44,8 @@ class BlockEvaluator {
   PoseFacts facts_[kLanes];
   int lost_[kLanes] = {};
   FusedState state_;
+  std::optional<BiasSolver> bias_;  // where numbers count it
+  StateMatrix information_;         // of the pose, which solving may divide into rows
 };
 
 /// The values of several orientations at one point become one.

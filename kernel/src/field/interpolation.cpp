@@ -235,8 +235,8 @@ void Interpolation::fill(std::span<const Query> queries, const Octree::Index* no
           hidden = hidden_at_nearest(query, turn, s, decided);
         }
         if (!decided) {
-          hidden = !in_sight(system_, placed.X_WS().p,
-                             poses[static_cast<std::size_t>(l)], sighting.marker);
+          hidden = !in_sight(system_, placed, poses[static_cast<std::size_t>(l)],
+                             sighting.marker);
         }
         if (hidden) {
           direct &= ~bit;

@@ -7,9 +7,12 @@
 #include "delos/model/infinity.h"
 #include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
+#include "field/block_evaluator.h"
+#include "field/error_budget.h"
 #include "field/pose_facts.h"
 #include "layers/block.h"
 #include "rig/sight.h"
+#include "steady/bias.h"
 #include "steady/chain_reduction.h"
 
 namespace delos {
@@ -67,16 +70,19 @@ FusedState state_at_update(const System& system, const LayerBlock& block,
 double value_without(System system, std::size_t device, const TargetPose& pose,
                      const Metric& metric, Solver solver) {
   system.devices.erase(system.devices.begin() + static_cast<std::ptrdiff_t>(device));
-  if (system.devices.empty()) return kInfinity;
+  if (system.devices.empty() || !metric_problem(system, metric).empty())
+    return kInfinity;
   const InformationLayers layers(system, {pose}, {.threads = 1});
   const auto fusion = make_steady_solver(system, solver);
-  SteadyEquation equation = fusion->equation();
   LayerBlock empty;
-  const LayerBlock& block = layers.block(0, empty);
-  FusedState state;
-  fusion->read(block, 0, pose, equation);
-  fusion->solve(equation, request_for(system, {&metric, 1}), state);
-  return value_of(metric, system, state, block, pose);
+  PoseValue value[kLanes];
+  BlockEvaluator(*fusion, system, metric)(layers.block(0, empty), &pose, value);
+  return value[0].value;
+}
+
+System with_error(System system, ErrorPart part) {
+  system.error = part;
+  return system;
 }
 
 /// By what fraction the metric gets worse from `with` to `without`; NaN where it has no
@@ -106,6 +112,9 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
   const SteadyRequest everything{.time_constant = true};
   fusion->read(block, 0, pose, equation);
 
+  // Before it is solved, which may take it apart.
+  const bool doubtful = definition_of(system).error.has_value();
+  const StateMatrix S = doubtful ? information_of(equation) : StateMatrix();
   report.careful = fusion->reduction() && !has_perfect_rows(block, 0);
   report.solver =
       fusion->reduction() && !report.careful ? Solver::doubling : fusion->solver();
@@ -133,15 +142,19 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
         whole_prior(motion, state_at_update(system, block, pose, report.state)));
   }
 
+  const FusedState scatter = report.state;
+  for (const PlacedDevice& device : system.devices)
+    report.devices.push_back({device.name, device.type});
+  if (doubtful && bias_problem(with_error(system, ErrorPart::total)).empty())
+    add_budget(system, {pose, block, S, scatter}, metric, report);
+
   const double with = value_of(metric, system, report.state, block, pose);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    DeviceShare share{system.devices[i].name, system.devices[i].type,
-                      (block.seen[i] & 1) != 0, 0};
-    if (share.visible) {
+    DeviceShare& share = report.devices[i];
+    share.visible = (block.seen[i] & 1) != 0;
+    if (share.visible)
       share.share = rise(with, value_without(system, i, pose, metric, solver),
                          metric.larger_is_better);
-    }
-    report.devices.push_back(share);
   }
   return report;
 }

@@ -13,21 +13,25 @@ namespace {
 /// certainty.
 constexpr double kTouch = 1e-12;
 
+const Eigen::Vector3d kNowhere =
+    Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+
 }  // namespace
 
 PoseViews::PoseViews(const System& system, const PoseTrees& trees)
     : system_(system),
       trees_(trees),
       sights_(system.markers.size()),
-      place_(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())),
+      place_(kNowhere),
       seen_(trees.poses.size() / 64 + 1) {}
 
 void PoseViews::append(const PlacedDevice& placed, std::vector<std::int32_t>& poses) {
   std::fill(seen_.begin(), seen_.end(), 0);
   if (placed.device->span() == Span::point) {
     const bool may_hide = may_be_hidden(system_, placed);
-    if (may_hide && placed.X_WS().p != place_) {
-      place_ = placed.X_WS().p;
+    // Only what looks from its origin shares its lines with what stands there.
+    if (may_hide && (placed.X_WS().p != place_ || !placed.looks_from_origin())) {
+      place_ = placed.looks_from_origin() ? placed.X_WS().p : kNowhere;
       for (SightsOfMarker& sights : sights_) {
         sights.asked.assign(trees_.nodes.size(), SightsOfMarker::Asked::no);
         sights.node.resize(trees_.nodes.size());
@@ -117,8 +121,7 @@ void PoseViews::see_block(const PlacedDevice& placed, const PoseTrees::Node& nod
     if (sight == Sight::unknown) {
       Sight& own = sights_[marker_].pose[i];
       if (own == Sight::unknown)
-        own = in_sight(system_, placed.X_WS().p, trees_.poses[i],
-                       system_.markers[marker_])
+        own = in_sight(system_, placed, trees_.poses[i], system_.markers[marker_])
                   ? Sight::clear
                   : Sight::hidden;
       if (own == Sight::hidden) continue;

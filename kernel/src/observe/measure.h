@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,7 +74,7 @@ bool each_marker(const System& system, const PlacedDevice& placed,
     if (!observe_target(placed, 3 + placed.own.size, scratch.target,
                         scratch.observation))
       continue;
-    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, marker)) continue;
+    if (may_hide && !in_sight(system, placed, X_WT, marker)) continue;
     seen = true;
     visit(arm);
   }
@@ -137,44 +138,72 @@ void fill_row(const StateLayout& layout, const Eigen::Matrix3d& R_WS,
   }
 }
 
-/// Visit every row of a device that measures more than points: of the target where it
-/// stands in the world, of its own motion where the target carries it.
-template <class Visit>
-bool measure_motion(const System& system, const PlacedDevice& placed,
-                    const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
+/// How a device that measures more than points stands.
+struct MotionView {
+  Pose X_WS;
+  Eigen::Vector3d arm;  ///< of what it measures, from the target's origin, in W, metres
+  int columns;          ///< of its span
+};
+
+/// Ask a device that measures more than points: of the target where it stands in the
+/// world, of its own motion where the target carries it.
+/// @returns nullopt where it sees nothing; else its answer is in the scratch
+inline std::optional<MotionView> look_at_motion(const System& system,
+                                                const PlacedDevice& placed,
+                                                const TargetPose& X_WT,
+                                                MeasureScratch& scratch) {
   const StateLayout& layout = system.motion.layout;
   const Span span = placed.device->span();
   const TargetMount* carried = placed.carried();
-  const Pose X_WS = carried ? X_WT * carried->X_TS : placed.X_WS();
-  const Eigen::Vector3d arm = carried ? Eigen::Vector3d(X_WS.p - X_WT.p)
-                                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  MotionView view;
+  view.X_WS = carried ? X_WT * carried->X_TS : placed.X_WS();
+  view.arm = carried ? Eigen::Vector3d(view.X_WS.p - X_WT.p)
+                     : Eigen::Vector3d(Eigen::Vector3d::Zero());
   Target& target = scratch.target;
   target.p_ST = carried ? Eigen::Vector3d(Eigen::Vector3d::Zero())
-                        : seen_at(X_WS, X_WT.p, Eigen::Vector3d::Zero());
+                        : seen_at(view.X_WS, X_WT.p, Eigen::Vector3d::Zero());
   if (carried)
     target.R_ST.setIdentity();
   else
-    target.R_ST.noalias() = X_WS.R.transpose() * X_WT.R;
+    target.R_ST.noalias() = view.X_WS.R.transpose() * X_WT.R;
   const int n = layout.size() - static_cast<int>(system.motion.own.size());
   target.state.setZero(span == Span::state ? n : 0);
-  const int of_span = span == Span::pose ? 6 : span == Span::motion ? 18 : n;
+  view.columns = span == Span::pose ? 6 : span == Span::motion ? 18 : n;
   target.own.setZero(placed.own.size);
-  if (!observe_target(placed, of_span + placed.own.size, target, scratch.observation))
-    return false;
+  if (!observe_target(placed, view.columns + placed.own.size, target,
+                      scratch.observation))
+    return std::nullopt;
   if (!carried && may_be_hidden(system, placed) &&
-      !in_sight(system, X_WS.p, X_WT, Eigen::Vector3d(Eigen::Vector3d::Zero())))
-    return false;
-  const int orders = span == Span::motion ? layout.order : 1;
-  StateRow& row = scratch.row;
+      !in_sight(system, placed, X_WT, PlacedMarker()))
+    return std::nullopt;
+  return view;
+}
+
+/// A row over a span of more than points as one over the state.
+template <class Row>
+void fill_motion_row(const System& system, const PlacedDevice& placed,
+                     const MotionView& view, const Row& in_S, double variance,
+                     StateRow& out) {
+  const Span span = placed.device->span();
+  if (span == Span::state)
+    out.h.head(view.columns) = in_S.head(view.columns);
+  else
+    fill_row(system.motion.layout, view.X_WS.R, view.arm,
+             span == Span::motion ? system.motion.layout.order : 1, in_S, out);
+  set_own(placed, in_S, out);
+  out.variance = placed.noise * variance;
+}
+
+/// Visit every row of a device that measures more than points.
+template <class Visit>
+bool measure_motion(const System& system, const PlacedDevice& placed,
+                    const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
+  const auto view = look_at_motion(system, placed, X_WT, scratch);
+  if (!view) return false;
   whiten(scratch.observation.H, scratch.observation.R,
          [&](const auto& in_S, double variance) {
-           if (span == Span::state)
-             row.h.head(n) = in_S.head(n);
-           else
-             fill_row(layout, X_WS.R, arm, orders, in_S, row);
-           set_own(placed, in_S, row);
-           row.variance = placed.noise * variance;
-           visit(std::as_const(row));
+           fill_motion_row(system, placed, *view, in_S, variance, scratch.row);
+           visit(std::as_const(scratch.row));
          });
   return true;
 }

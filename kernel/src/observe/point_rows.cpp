@@ -66,7 +66,7 @@ void look(const System& system, const PlacedDevice& placed, const PlacedMarker& 
     bool clear = sight && sight[l] == Sight::clear;
     if (!sight || sight[l] == Sight::unknown) {
       ++out.rays;
-      clear = in_sight(system, placed.X_WS().p, poses[l], marker);
+      clear = in_sight(system, placed, poses[l], marker);
     }
     if (!clear) out.hidden |= std::uint64_t{1} << l;
   }

@@ -138,8 +138,8 @@ Sightline SoftInformation::sightline(const PlacedDevice& placed, const TargetPos
 bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
   return !placed.carried() && !placed.clock && placed.own.size == 0 &&
-         placed.device->span() == Span::point && !shares_noise(placed) &&
-         observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
+         placed.looks_from_origin() && placed.device->span() == Span::point &&
+         !shares_noise(placed) && observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 
 template <class Visit>
@@ -147,8 +147,8 @@ std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& plac
                                                         const TargetPose& X_WT,
                                                         Sightline* lines, StateRow& row,
                                                         Visit&& visit) const {
-  if (placed.carried() || placed.own.size > 0 || placed.device->span() != Span::point ||
-      shares_noise(placed))
+  if (placed.carried() || placed.own.size > 0 || !placed.looks_from_origin() ||
+      placed.device->span() != Span::point || shares_noise(placed))
     return std::nullopt;
   row.h.setZero(columns_);
   if (placed.clock) row.h(*placed.clock) = 1;

@@ -49,6 +49,7 @@ Json summary(const Field& field) {
   json["metric"] = {{"name", field.metric}, {"unit", field.unit}};
   json["fusion"] = to_string(field.definition.fusion);
   json["covariance"] = to_string(field.definition.covariance);
+  if (field.definition.error) json["error"] = to_string(*field.definition.error);
   if (field.definition.lag > 0) json["lag"] = field.definition.lag;
   add_statistics(json, summarize(field));
   if (field.samples.parts.size() > 1) {

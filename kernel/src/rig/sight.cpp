@@ -51,18 +51,23 @@ bool in_sight(const System& system, const Eigen::Vector3d& in_world,
   return !system.on_target.blocks(R_TW * (in_world - X_WT.p), R_TW * arm, system.skin);
 }
 
-bool in_sight(const System& system, const Eigen::Vector3d& device,
-              const TargetPose& X_WT, const PlacedMarker& marker) {
-  if (!marker.faces_all_ways() &&
-      !(marker.margin(X_WT.R.transpose() * (device - X_WT.p) - marker.p) >= 0))
-    return false;
-  return in_sight(system, device, X_WT, Eigen::Vector3d(X_WT.R * marker.p));
+bool in_sight(const System& system, const PlacedDevice& placed, const TargetPose& X_WT,
+              const PlacedMarker& marker) {
+  return std::all_of(
+      placed.lenses.begin(), placed.lenses.end(), [&](const Eigen::Vector3d& in_S) {
+        const Eigen::Vector3d lens = placed.X_WS() * in_S;
+        return (marker.faces_all_ways() ||
+                marker.margin(X_WT.R.transpose() * (lens - X_WT.p) - marker.p) >= 0) &&
+               in_sight(system, lens, X_WT, Eigen::Vector3d(X_WT.R * marker.p));
+      });
 }
 
-Sight sight_of_box(const System& system, const PlacedDevice& placed,
+namespace {
+
+/// Of one lens, in W.
+Sight sight_of_box(const System& system, const Eigen::Vector3d& device,
                    const Eigen::Matrix3d& R_WT, const PlacedMarker& marker,
                    const Eigen::AlignedBox3d& box) {
-  const Eigen::Vector3d& device = placed.X_WS().p;
   const Eigen::Vector3d arm = R_WT * marker.p;
   if (!marker.faces_all_ways()) {
     // Where it isn't known, what else hides isn't asked.
@@ -79,6 +84,21 @@ Sight sight_of_box(const System& system, const PlacedDevice& placed,
   const Sight target = sight_from(system.on_target, R_TW * arm, devices, system.skin);
   if (target == Sight::hidden) return target;
   return world == Sight::clear ? target : Sight::unknown;
+}
+
+}  // namespace
+
+Sight sight_of_box(const System& system, const PlacedDevice& placed,
+                   const Eigen::Matrix3d& R_WT, const PlacedMarker& marker,
+                   const Eigen::AlignedBox3d& box) {
+  Sight all = Sight::clear;
+  for (const Eigen::Vector3d& in_S : placed.lenses) {
+    const Sight one =
+        sight_of_box(system, Eigen::Vector3d(placed.X_WS() * in_S), R_WT, marker, box);
+    if (one == Sight::hidden) return one;
+    if (one == Sight::unknown) all = one;
+  }
+  return all;
 }
 
 bool inside_solid(const System& system, const Eigen::Vector3d& p) {

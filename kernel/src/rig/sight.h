@@ -31,9 +31,9 @@ enum class Sight : std::uint8_t {
                                       const TargetPose& X_WT,
                                       const Eigen::Vector3d& arm);
 
-/// The same of a device in the world and a marker, which must face it, too.
-[[nodiscard]] DELOS_API bool in_sight(const System& system,
-                                      const Eigen::Vector3d& device,
+/// The same of all lenses of a device in the world and a marker, which must face them,
+/// too.
+[[nodiscard]] DELOS_API bool in_sight(const System& system, const PlacedDevice& placed,
                                       const TargetPose& X_WT,
                                       const PlacedMarker& marker);
 

@@ -146,6 +146,29 @@ std::optional<int> clock_of(const Scene& scene, const DeviceEntry& entry,
   return motion.layout.size() - 1;
 }
 
+/// The devices beside one, of which slopes in its doubtful parameters are made.
+/// @throws Unbuildable it can't be made a little off
+std::vector<DoubtfulParameter> doubtful_parameters(const PluginInfo& info,
+                                                   const DeviceEntry& entry) {
+  constexpr double kStep = 1e-3;  // of a deviation: far above rounding, and straight
+  std::vector<DoubtfulParameter> doubtful;
+  for (const auto& [name, deviation] : entry.calibration.params) {
+    const auto row =
+        std::find_if(info.params, info.params + info.n_params,
+                     [&](const ParamSpec& spec) { return name == spec.name; });
+    const double value = entry.params[name];
+    const double above = std::min(value + kStep * deviation, row->upper),
+                 below = std::max(value - kStep * deviation, row->lower);
+    const auto with = [&](double other) {
+      ParamValues params = entry.params;
+      params.set(name, other);
+      return make_device(info, params);
+    };
+    doubtful.push_back({name, deviation, with(above), with(below), above - below});
+  }
+  return doubtful;
+}
+
 /// The scene's markers, then those of its bodies.
 std::vector<PlacedMarker> placed_markers(const Scene& scene) {
   std::vector<PlacedMarker> markers(scene.markers.begin(), scene.markers.end());
@@ -184,6 +207,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
   system.fusion = definition_of(scene).fusion;
   system.covariance = scene.covariance;
   system.lag = scene.lag;
+  system.error = scene.error;
   system.exposures = scene.exposures;
   system.own_metrics = known_metrics(scene).own;
   system.markers = placed_markers(scene);
@@ -205,11 +229,15 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     placed.type = entry.type;
     placed.params = entry.params;
     placed.device = reuse(previous, system.devices.size(), entry);
-    if (!placed.device) {
-      const PluginLoad& plugin = plugins.find(entry.type);
-      if (!plugin.info) throw std::runtime_error(plugin.error);
-      placed.device = make_device(*plugin.info, entry.params);
-    }
+    placed.calibration = entry.calibration;
+    const PluginLoad& plugin = plugins.find(entry.type);
+    if (!plugin.info) throw std::runtime_error(plugin.error);
+    if (!placed.device) placed.device = make_device(*plugin.info, entry.params);
+    placed.lenses = placed.device->lenses();
+    if (placed.lenses.empty())
+      throw Unbuildable(entry.name + ": its plugin " + entry.type +
+                        " says of no lens where it is");
+    placed.doubtful = doubtful_parameters(*plugin.info, entry);
     if (entry.mount == Mount::target) {
       placed.mount =
           TargetMount{pose_of(entry.placement),
@@ -250,7 +278,15 @@ bool has_one_exposure(const System& system) {
 }
 
 Definition definition_of(const System& system) {
-  return {system.fusion, system.covariance, system.lag};
+  const bool doubtful =
+      std::any_of(system.devices.begin(), system.devices.end(),
+                  [](const PlacedDevice& d) { return !d.calibration.exact(); });
+  return {system.fusion, system.covariance, system.lag,
+          doubtful ? std::optional(system.error) : std::nullopt};
+}
+
+bool counts_bias(const System& system) {
+  return definition_of(system).error.value_or(ErrorPart::scatter) != ErrorPart::scatter;
 }
 
 double information_weight(const System& system, const PlacedDevice& device) {

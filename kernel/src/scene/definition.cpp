@@ -71,6 +71,11 @@ bool takes(const Scene& scene, Fusion fusion) {
     return false;
   if (scene.lag > 0 && !lag_problem(scene.motion, {fusion, scene.covariance}).empty())
     return false;
+  if (!calibration_problem(scene.motion, {fusion, scene.covariance, 0, scene.error})
+           .empty() &&
+      std::any_of(scene.devices.begin(), scene.devices.end(),
+                  [](const DeviceEntry& d) { return !d.calibration.exact(); }))
+    return false;
   if (fusion == Fusion::stacked) return has_one_rate(scene);
   return scene.motion.in_continuous_time() ||
          (fusion != Fusion::continuous && fusion != Fusion::periodic);
@@ -139,17 +144,41 @@ KnownMetrics known_metrics(const Scene& scene) {
   return known;
 }
 
+namespace {
+
+/// What is said of the errors of calibration, where devices have any.
+std::string error_words(const Definition& definition) {
+  if (!definition.error) return "";
+  switch (*definition.error) {
+    case ErrorPart::total:
+      return ", scatter and calibration";
+    case ErrorPart::scatter:
+      return ", scatter alone";
+    case ErrorPart::bias:
+      break;
+  }
+  return ", errors of calibration alone";
+}
+
+}  // namespace
+
 std::string to_string(const Definition& definition) {
   if (definition.covariance == CovarianceKind::single)
-    return "covariance of a single reading";
+    return "covariance of a single reading" + error_words(definition);
   const std::string kind =
       definition.covariance == CovarianceKind::prior ? "a-priori" : "a-posteriori";
   const std::string later =
       definition.lag > 0 ? ' ' + format_quantity(definition.lag, "s") + " later" : "";
-  return kind + " covariance" + later + ", " + to_string(definition.fusion) + " fusion";
+  return kind + " covariance" + later + ", " + to_string(definition.fusion) +
+         " fusion" + error_words(definition);
 }
 
 bool alike(const Definition& a, const Definition& b) {
+  // Where no device is in doubt, there is scatter alone.
+  if (a.error && b.error && a.error != b.error) return false;
+  if (a.error.value_or(ErrorPart::scatter) == ErrorPart::bias ||
+      b.error.value_or(ErrorPart::scatter) == ErrorPart::bias)
+    return a.error == b.error;
   if (a.covariance == CovarianceKind::single || b.covariance == CovarianceKind::single)
     return a.covariance == b.covariance;
   const bool one_covariance =
@@ -221,6 +250,29 @@ std::string lag_problem(const MotionModel& motion, const Definition& definition)
   return "";
 }
 
+std::string calibration_problem(const MotionModel& motion,
+                                const Definition& definition) {
+  if (!definition.error || *definition.error == ErrorPart::scatter) return "";
+  const std::string instead = "; use fusion: stacked or continuous, or error: scatter";
+  switch (definition.fusion) {
+    case Fusion::stacked:
+      return "";
+    case Fusion::continuous:
+      if (motion.is_chain()) return "";
+      return "is of position, position_velocity and position_velocity_acceleration "
+             "motion under continuous fusion" +
+             instead;
+    case Fusion::periodic:
+    case Fusion::sequential:
+      return "shifts an estimate to and fro where devices report by turns, which isn't "
+             "solved for" +
+             instead;
+    case Fusion::artemis:
+      break;
+  }
+  return "isn't known to artemis fusion, which is no filter's" + instead;
+}
+
 std::string exposure_problem(const MotionModel& motion, const Definition& definition) {
   if (definition.covariance == CovarianceKind::single)
     return "isn't known to single readings, which are of one instant; leave it out, or "
@@ -240,9 +292,14 @@ std::string exposure_problem(const MotionModel& motion, const Definition& defini
 }
 
 Definition definition_of(const Scene& scene) {
+  const bool doubtful =
+      std::any_of(scene.devices.begin(), scene.devices.end(),
+                  [](const DeviceEntry& d) { return !d.calibration.exact(); });
+  const auto error = doubtful ? std::optional(scene.error) : std::nullopt;
   if (scene.covariance == CovarianceKind::single)
-    return {Fusion::stacked, CovarianceKind::single, scene.lag};
-  return {scene.fusion.value_or(default_fusion(scene)), scene.covariance, scene.lag};
+    return {Fusion::stacked, CovarianceKind::single, scene.lag, error};
+  return {scene.fusion.value_or(default_fusion(scene)), scene.covariance, scene.lag,
+          error};
 }
 
 Scene with_definition(Scene scene) {

@@ -8,6 +8,7 @@
 #include "delos/device/faults.h"
 #include "delos/scene/definition.h"
 #include "document/node_text.h"
+#include "scene/calibration_keys.h"
 #include "scene/params.h"
 #include "scene/placement_keys.h"
 #include "scene/sample_time_keys.h"
@@ -66,7 +67,7 @@ Written write_seen_beacons(const DeviceEntry& d) {
   return to_node(std::move(names));
 }
 
-constexpr std::array<Key<DeviceEntry>, 21> kDeviceKeys = {{
+constexpr std::array<Key<DeviceEntry>, 22> kDeviceKeys = {{
     {"name", Need::required, "a word of your own that messages and paths use",
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto name = r.name(p)) d.name = std::move(*name);
@@ -170,6 +171,9 @@ constexpr std::array<Key<DeviceEntry>, 21> kDeviceKeys = {{
        if (d.params.all().empty()) return std::nullopt;
        return write_params(d.params);
      }},
+    {"calibration", Need::optional,
+     "how well it is known: standard deviations of constant errors", read_calibration,
+     write_calibration},
 }};
 
 void check_group(Reader& reader, const Place& at, const DeviceEntry& device,
@@ -308,6 +312,7 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
       return reader.error(at,
                           "measures more than the pose, of which a single reading is; "
                           "use covariance: prior or posterior");
+    check_calibration(reader, at, entry, *device, layout);
     if (!layout) return;
     const std::string problem = pose_problem(*layout, device->span());
     if (!problem.empty()) return reader.error(at, problem);

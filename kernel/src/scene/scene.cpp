@@ -19,6 +19,7 @@ bool Scene::operator==(const Scene&) const = default;
 
 const char* to_string(Fusion fusion) { return word_of(kFusionWords, fusion); }
 const char* to_string(CovarianceKind kind) { return word_of(kCovarianceWords, kind); }
+const char* to_string(ErrorPart part) { return word_of(kErrorPartWords, part); }
 
 Pose pose_of(const Placement& placement) {
   Pose pose;

@@ -7,6 +7,7 @@
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
+#include "scene/calibration_keys.h"
 #include "scene/clock_keys.h"
 #include "scene/clutter_keys.h"
 #include "scene/device_keys.h"
@@ -62,7 +63,7 @@ void read_lag(Reader& reader, const Place& at, SceneDraft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 25> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 26> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -116,6 +117,16 @@ constexpr std::array<Key<SceneDraft>, 25> kSceneKeys = {{
      [](const SceneDraft& d) -> Written {
        if (d.scene.lag == 0) return std::nullopt;
        return to_node(d.scene.lag);
+     }},
+    {"error", Need::optional,
+     "which part of the error is shown: scatter, the bias of calibrations, or their "
+     "total",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       if (const auto part = r.choice(p, kErrorPartWords)) d.scene.error = *part;
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.error == ErrorPart::total) return std::nullopt;
+       return to_node(to_string(d.scene.error));
      }},
     {"exposures", Need::optional,
      "the motion in readings that take time: exact, instantaneous, averaged or "
@@ -374,6 +385,7 @@ Scene read_scene(Reader& reader, const Node& root) {
     check_exposures(reader, place, draft.scene);
     check_clocks(reader, place, draft.scene);
     check_lag(reader, place, draft.scene);
+    check_calibrations(reader, place, draft.scene);
   }
   if (reader.findings.errors() > 0) return std::move(draft.scene);
   if (const Node* occluders = root.find("occluders"))
@@ -384,6 +396,7 @@ Scene read_scene(Reader& reader, const Node& root) {
     // Varied rates may have made the fusion another one.
     check_exposures(reader, place, draft.scene);
     check_clocks(reader, place, draft.scene);
+    check_calibrations(reader, place, draft.scene);
     check_varied_exposures(reader, place, draft.scene);
   }
   return std::move(draft.scene);

@@ -20,6 +20,12 @@ inline constexpr std::pair<const char*, CovarianceKind> kCovarianceWords[] = {
     {"single", CovarianceKind::single},
 };
 
+inline constexpr std::pair<const char*, ErrorPart> kErrorPartWords[] = {
+    {"total", ErrorPart::total},
+    {"scatter", ErrorPart::scatter},
+    {"bias", ErrorPart::bias},
+};
+
 inline constexpr std::pair<const char*, ExposureModel> kExposureModelWords[] = {
     {"exact", ExposureModel::exact},
     {"instantaneous", ExposureModel::instantaneous},

@@ -99,8 +99,7 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
   };
   if (placed.device->span() != Span::point) {
     const bool may_hide = !placed.carried() && may_be_hidden(system, placed);
-    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, origin)) return;
+    if (may_hide && !in_sight(system, placed, X_WT, PlacedMarker())) return;
     return add();
   }
   if (const TargetMount* carried = placed.carried()) {
@@ -116,8 +115,7 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
   }
   const bool may_hide = may_be_hidden(system, placed);
   for (std::size_t m = 0; m < system.markers.size(); ++m) {
-    if (may_hide && !in_sight(system, placed.X_WS().p, X_WT, system.markers[m]))
-      continue;
+    if (may_hide && !in_sight(system, placed, X_WT, system.markers[m])) continue;
     reading.of = m;
     add();
   }

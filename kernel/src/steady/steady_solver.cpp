@@ -9,6 +9,7 @@
 #include "observe/measure.h"
 #include "riccati/linear.h"
 #include "steady/artemis.h"
+#include "steady/bias.h"
 #include "steady/chain_reduction.h"
 #include "steady/continuous.h"
 #include "steady/cycle.h"
@@ -34,6 +35,12 @@ void check_lag_of(const System& system) {
   const std::string problem = lag_problem(system.motion, definition_of(system));
   if (system.lag > 0 && !problem.empty())
     throw std::invalid_argument("a lag " + problem);
+}
+
+/// @throws std::invalid_argument nobody knows what the devices' errors do
+void check_bias_of(const System& system) {
+  const std::string problem = bias_problem(system);
+  if (!problem.empty()) throw std::invalid_argument(problem);
 }
 
 /// @throws std::invalid_argument the system has readings that take time, and can't
@@ -100,6 +107,7 @@ SteadySolver::SteadySolver(const System& system, Solver solver)
       reports_(system.devices.size()) {
   check_exposures_of(system);
   check_lag_of(system);
+  check_bias_of(system);
   if (solver_ == Solver::spectral)
     reduction_ = std::make_unique<const ChainReduction>(system);
   if (system.lag > 0) later_ = discretize(system.motion, system.lag);
@@ -231,6 +239,8 @@ std::unique_ptr<const SteadySolver> make_steady_solver(const System& system,
 }
 
 std::string adjoint_problem(const System& system) {
+  if (counts_bias(system))
+    return "what errors of calibration do has no derivative here; use error: scatter";
   if (!has_one_exposure(system))
     return "fusion of devices that don't expose equally long has no derivative here";
   if (system.fusion == Fusion::stacked || is_reducible(system)) return "";

@@ -198,13 +198,20 @@ class DELOS_API Device {
   [[nodiscard]] virtual bool observe_view_lanes(int view, const BeaconLanes& beacons,
                                                 RowLanes& out) const;
 
+  /// Where in S the sight lines of one reading end, metres: a pair of cameras, or a
+  /// projector with its camera, has two, and a point is seen where all of them are
+  /// clear. Only devices that stand in the world are asked.
+  [[nodiscard]] virtual std::vector<Eigen::Vector3d> lenses() const {
+    return {Eigen::Vector3d::Zero()};
+  }
+
   /// The length on a target at p, across the sight line, that one pixel covers, metres;
   /// the smaller, the more is told apart.
   /// @param p in S, metres, in view
   /// @returns 0 where the device has no pixels, as here
   [[nodiscard]] virtual double footprint(const Eigen::Vector3d& p) const;
 
-  /// Whether what stands between the device's origin and the point hides it. By
+  /// Whether what stands between the device's lenses and the point hides it. By
   /// default, devices that see points need to see them.
   [[nodiscard]] virtual bool needs_sight() const { return span() == Span::point; }
 };

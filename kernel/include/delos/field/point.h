@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +24,28 @@ struct DeviceShare {
   /// the metric is lost without it, NaN where it is lost with it too. 0.5: half as
   /// large again.
   double share = 0;
+  /// Relative fall of the metric's loss if this device alone were known exactly; 0: its
+  /// calibration isn't in doubt.
+  double calibration = 0;
 };
 
 /// A metric and its value; +∞ where it reads a direction that isn't observed.
 struct MetricValue {
   Metric metric;
   double value = 0;
+};
+
+/// What the metrics are of each part of the error, in the order of
+/// PointReport::metrics, where some device says how well it is known.
+struct ErrorBudget {
+  std::vector<double> scatter, bias, total;
+  /// The metric of what plain least squares of one reading makes: all readings weighed
+  /// alike, no motion. nullopt where devices of several types have no common scale, and
+  /// of metrics that need more than a pose.
+  struct Plain {
+    double scatter, bias, total;
+  };
+  std::optional<Plain> plain;
 };
 
 /// Everything about one pose.
@@ -40,6 +57,7 @@ struct PointReport {
   bool careful = false;  ///< from the stacked whitened rows, not from their product
   std::vector<MetricValue> metrics;  ///< every metric of the layout
   std::vector<DeviceShare> devices;
+  std::optional<ErrorBudget> budget;
   /// Of the prior, where it solves one update's equation: how well. Else NaN.
   double residual = 0;
 };

@@ -71,12 +71,23 @@ struct TargetMount {
   friend bool operator==(const TargetMount&, const TargetMount&) = default;
 };
 
+/// A parameter of a device that isn't known exactly.
+struct DoubtfulParameter {
+  std::string name;
+  double deviation = 0;  ///< standard deviation, SI, > 0
+  /// The device with it a little more, and a little less: `between` lies between both.
+  std::shared_ptr<const Device> above, below;
+  double between = 0;
+};
+
 /// A device in its place.
 struct PlacedDevice {
   std::string name;
   std::string type;
   ParamValues params;                    ///< what `device` was made from
   std::shared_ptr<const Device> device;  ///< never null
+  /// Device::lenses(), in S, metres: one or more.
+  std::vector<Eigen::Vector3d> lenses = {Eigen::Vector3d::Zero()};
   std::variant<WorldMount, TargetMount> mount;
   double noise = 1;   ///< its noise's covariance is so many times what it says, > 0
   double period = 0;  ///< seconds between updates, > 0
@@ -84,8 +95,10 @@ struct PlacedDevice {
   /// Seconds up to an update over which its reading is the mean, ≤ period; 0: it is of
   /// that instant.
   double exposure = 0;
-  std::optional<int> clock;  ///< the state that its readings are off by
-  StateBlock own;            ///< its own states
+  std::optional<int> clock;                 ///< the state that its readings are off by
+  StateBlock own;                           ///< its own states
+  Calibration calibration;                  ///< how well it is known
+  std::vector<DoubtfulParameter> doubtful;  ///< calibration.params
 
   /// How the target carries it; null: it stands in the world.
   [[nodiscard]] const TargetMount* carried() const {
@@ -98,6 +111,10 @@ struct PlacedDevice {
   /// Device frame to world. @pre it stands there
   [[nodiscard]] const Pose& X_WS() const { return std::get<WorldMount>(mount).X_WS; }
   [[nodiscard]] Pose& X_WS() { return std::get<WorldMount>(mount).X_WS; }
+  /// Whether its sight lines all end at its origin.
+  [[nodiscard]] bool looks_from_origin() const {
+    return lenses.size() == 1 && lenses.front().isZero(0);
+  }
 };
 
 /// All that the steady-state equation needs of a scene.
@@ -106,6 +123,7 @@ struct DELOS_API System {
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
   double lag = 0;  ///< seconds from what `covariance` says to when it is used, ≥ 0
+  ErrorPart error = ErrorPart::total;
   ExposureModel exposures =
       ExposureModel::exact;         ///< how readings that take time count
   std::vector<Metric> own_metrics;  ///< the scene's own, by formulas
@@ -149,6 +167,9 @@ struct DELOS_API System {
 /// Whether all devices expose equally long, or none does: what they know of their mean
 /// adds up.
 [[nodiscard]] DELOS_API bool has_one_exposure(const System& system);
+
+/// Whether numbers count what errors of calibration do.
+[[nodiscard]] DELOS_API bool counts_bias(const System& system);
 
 /// What a system's numbers are of.
 [[nodiscard]] DELOS_API Definition definition_of(const System& system);

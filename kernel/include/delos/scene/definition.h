@@ -16,6 +16,8 @@ struct Definition {
   Fusion fusion = Fusion::stacked;
   CovarianceKind covariance = CovarianceKind::prior;
   double lag = 0;  ///< seconds later
+  /// The part of the error, where some device says how well it is known.
+  std::optional<ErrorPart> error = {};
   friend bool operator==(const Definition&, const Definition&) = default;
 };
 
@@ -26,6 +28,11 @@ struct Definition {
 /// update.
 [[nodiscard]] DELOS_API const ClockEntry* clock_entry(const Scene& scene,
                                                       const std::string& clock);
+
+/// Empty where constant errors of calibration can be told what they do; else why not, a
+/// sentence without its subject.
+[[nodiscard]] DELOS_API std::string calibration_problem(const MotionModel& motion,
+                                                        const Definition& definition);
 
 /// Empty where clocks may be unknown anew at each update; else why not, a sentence
 /// without its subject.

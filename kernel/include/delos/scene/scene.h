@@ -20,6 +20,7 @@
 #include "delos/model/pose.h"
 #include "delos/sampling/grid.h"
 #include "delos/sampling/sets.h"
+#include "delos/scene/calibration.h"
 #include "delos/scene/sample_time.h"
 #include "delos/scene/search.h"
 #include "delos/scene/selection.h"
@@ -235,6 +236,7 @@ struct DeviceEntry {
   std::optional<Mounting> mounting;
   Placement placement;
   ParamValues params;
+  Calibration calibration;  ///< how well it is known
   friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
 };
 
@@ -266,6 +268,7 @@ struct DELOS_API Scene {
   Orientations orientations;
   CovarianceKind covariance = CovarianceKind::prior;
   double lag = 0;  ///< seconds from what `covariance` says to when it is used, ≥ 0
+  ErrorPart error = ErrorPart::total;  ///< where devices say how well they are known
   ExposureModel exposures = ExposureModel::exact;
   std::vector<MetricEntry> metrics;  ///< its own; each may read those before it
   std::string metric = "eigmax";
@@ -301,6 +304,7 @@ struct DELOS_API Scene {
 /// The words that scenes, JSON and messages use.
 [[nodiscard]] DELOS_API const char* to_string(Fusion fusion);
 [[nodiscard]] DELOS_API const char* to_string(CovarianceKind kind);
+[[nodiscard]] DELOS_API const char* to_string(ErrorPart part);
 
 /// The pose of a placement in the frame that it is given in: X_GS, X_WG, or that of an
 /// occluder in the world or in the target.

@@ -1,0 +1,21 @@
+// The keys that say how well a device is known.
+#pragma once
+
+#include "delos/scene/scene.h"
+#include "document/keys.h"
+
+namespace delos {
+
+void read_calibration(Reader& reader, const Place& at, DeviceEntry& out);
+[[nodiscard]] std::optional<Node> write_calibration(const DeviceEntry& device);
+
+/// A device's readings must tell what its errors do.
+/// @param device made of the entry
+/// @param layout null where it isn't known
+void check_calibration(Reader& reader, const Place& at, const DeviceEntry& entry,
+                       const Device& device, const StateLayout* layout);
+
+/// The scene's fusion and motion must leave constant errors a meaning.
+void check_calibrations(Reader& reader, const Place& root, const Scene& scene);
+
+}  // namespace delos
