@@ -62,7 +62,7 @@ void read_lag(Reader& reader, const Place& at, SceneDraft& out) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 25> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 26> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
     {"name", Need::optional, "a title",
@@ -81,6 +81,14 @@ constexpr std::array<Key<SceneDraft>, 25> kSceneKeys = {{
        d.known.motion = r.findings.errors() == before;
      },
      [](const SceneDraft& d) -> Written { return write_motion(d.scene.motion); }},
+    {"motions", Need::optional, "other motions, by name, that it may have instead",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_motions(r, p, d.scene.motions);
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.motions.empty()) return std::nullopt;
+       return write_motions(d.scene.motions);
+     }},
     {"fusion", Need::optional, "how the measurements of several devices come together",
      [](Reader& r, const Place& p, SceneDraft& d) {
        d.scene.fusion = r.choice(p, kFusionWords);
