@@ -97,6 +97,10 @@ void add_report_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
 void add_sample_time_command(CLI::App& program, int& exit_code);
 void add_fit_motion_command(CLI::App& program, int& exit_code);
+void add_motions_command(CLI::App& program, int& exit_code);
+void add_noise_command(CLI::App& program, int& exit_code);
+void add_power_command(CLI::App& program, int& exit_code);
+void add_shutter_command(CLI::App& program, int& exit_code);
 void add_explore_command(CLI::App& program, int& exit_code);
 void add_simulate_command(CLI::App& program, int& exit_code);
 

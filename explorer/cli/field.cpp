@@ -11,6 +11,8 @@
 #include "delos/text/units.h"
 #include "evaluation.h"
 #include "json.h"
+#include "motions.h"
+#include "session/motion_fields.h"
 #include "specs.h"
 #include "summary.h"
 #include "warnings.h"
@@ -24,7 +26,7 @@ struct FieldCommand {
   std::vector<std::filesystem::path> out;
   std::vector<std::string> specs;
   bool log10 = false, verify = false;
-  std::string slice;
+  std::string slice, motion;
 };
 
 /// The observed order of accuracy of the scene's one sample set.
@@ -68,9 +70,57 @@ void print(std::ostream& out, const Verification& v, const std::string& unit) {
       << ", then " << v.second_order << "\n";
 }
 
+/// The scene's motions one after another, and their envelope.
+int run_all_motions(const FieldCommand& command, const LoadedScene& first,
+                    PluginRegistry& plugins) {
+  if (first.scene.motions.empty())
+    (void)with_motion(command.options, first.scene, "all");
+  if (command.verify || !command.specs.empty() || !command.out.empty())
+    throw Failure{kUsage,
+                  "--verify, --spec and --out are about one motion: name it instead of "
+                  "all"};
+  if (session::adaptive_sampling(first.scene))
+    throw Failure{kUsage,
+                  "each motion has an octree of its own, of which there is no "
+                  "envelope: name one instead of all, or take a step instead of "
+                  "adaptive"};
+  const Interrupt interrupt;
+  std::vector<session::MotionField> fields;
+  for (const MotionEntry& entry : first.scene.motions) {
+    const SceneOptions options = with_motion(command.options, first.scene, entry.name);
+    const LoadedScene loaded = load(command.scene, options, plugins);
+    fields.push_back({entry.name, evaluate_scene(loaded, options, interrupt).field});
+  }
+  const Field envelope = session::envelope_of(fields);
+  if (command.options.json) {
+    print_document(session::motion_fields_json(first, envelope, fields));
+  } else {
+    for (const session::MotionField& of : fields) {
+      const FieldStatistics s = summarize(of.field);
+      std::cout << cell(of.name, 15);
+      if (s.finite == 0)
+        std::cout << "blind everywhere\n";
+      else
+        std::cout << "mean " << cell(format_quantity(s.mean, of.field.unit), 10)
+                  << "worst " << format_quantity(s.worst().value, of.field.unit)
+                  << "\n";
+    }
+    std::cout << "The worst of them at each sample:\n";
+    print_summary(std::cout, first, envelope);
+  }
+  return envelope.cancelled ? kCancelled : kDone;
+}
+
 int run(const FieldCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   const LoadedScene loaded = load(command.scene, command.options, plugins);
+  if (command.motion == "all") return run_all_motions(command, loaded, plugins);
+  if (!command.motion.empty()) {
+    FieldCommand of_one = command;
+    of_one.options = with_motion(command.options, loaded.scene, command.motion);
+    of_one.motion.clear();
+    return run(of_one);
+  }
   const std::vector<Spec> specs = specs_of(command.specs, loaded);
   const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
   const Samples samples = planned_samples(loaded.scene);
@@ -149,6 +199,8 @@ void add_field_command(CLI::App& program, int& exit_code) {
   add_spec_option(*app, command->specs);
   app->add_option("--slice", command->slice,
                   "Height of the .png slice, for example 1.5 or '50 cm'");
+  app->add_option("--motion", command->motion,
+                  "One of the scene's motions, or all: each, and the worst of them");
   app->add_flag("--verify", command->verify,
                 "Also the observed order of accuracy, from three resolutions");
   app->add_flag("--log10", command->log10, "Colours of the .png follow log10");

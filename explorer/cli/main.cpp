@@ -60,6 +60,10 @@ int run(int argc, char** argv) {
   add_report_command(program, exit_code);
   add_sample_time_command(program, exit_code);
   add_fit_motion_command(program, exit_code);
+  add_motions_command(program, exit_code);
+  add_noise_command(program, exit_code);
+  add_power_command(program, exit_code);
+  add_shutter_command(program, exit_code);
   add_demo_command(program, exit_code);
   add_explore_command(program, exit_code);
   add_simulate_command(program, exit_code);

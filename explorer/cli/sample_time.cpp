@@ -12,6 +12,7 @@
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "json.h"
+#include "quantity.h"
 #include "report/chart.h"
 #include "summary.h"
 
@@ -38,16 +39,6 @@ constexpr std::pair<const char*, MotionTerm> kMotionTerms[] = {
     {"update", MotionTerm::update},     {"blur", MotionTerm::blur},
 };
 
-/// @throws Failure kUsage
-double quantity(const std::string& text, const char* unit, const char* option) {
-  const auto value = parse_quantity(text, unit);
-  if (const auto* problem = std::get_if<std::string>(&value))
-    throw Failure{kUsage, std::string(option) + " '" + text + "': " + *problem};
-  if (!(std::get<double>(value) > 0))
-    throw Failure{kUsage, std::string(option) + " '" + text + "': must be above 0"};
-  return std::get<double>(value);
-}
-
 MotionTerm motion_named(const std::string& name) {
   for (const auto& [word, term] : kMotionTerms)
     if (name == word) return term;
@@ -61,10 +52,11 @@ MotionTerm motion_named(const std::string& name) {
 /// @throws Failure kUsage; std::invalid_argument
 std::vector<double> times_of(const SampleTimeCommand& command, const Scene& scene) {
   std::vector<double> times = session::usual_times(scene, command.device);
-  const double from =
-      command.from.empty() ? times.front() : quantity(command.from, "s", "--from");
+  const double from = command.from.empty()
+                          ? times.front()
+                          : quantity_above_0(command.from, "s", "--from");
   const double to =
-      command.to.empty() ? times.back() : quantity(command.to, "s", "--to");
+      command.to.empty() ? times.back() : quantity_above_0(command.to, "s", "--to");
   if (!(to > from))
     throw Failure{kUsage, "--to must be above " + format_quantity(from, "s") +
                               ", from where the sample times are drawn"};
@@ -74,7 +66,7 @@ std::vector<double> times_of(const SampleTimeCommand& command, const Scene& scen
       times[i] = from * std::pow(to / from, static_cast<double>(i) / last);
     return times;
   }
-  const double step = quantity(command.step, "s", "--step");
+  const double step = quantity_above_0(command.step, "s", "--step");
   const double count = std::floor((to - from) / step * (1 + 1e-12)) + 1;
   if (count < 3 || count > 10'000)
     throw Failure{kUsage,
@@ -208,7 +200,7 @@ int run(const SampleTimeCommand& command) {
   if (blur == command.speed.empty())
     throw Failure{kUsage, blur ? "--motion blur needs a --speed"
                                : "--speed goes with --motion blur"};
-  if (blur) question.speed = quantity(command.speed, "m/s", "--speed");
+  if (blur) question.speed = quantity_above_0(command.speed, "m/s", "--speed");
   std::vector<SampleTimeAnswer> answers;
   try {
     question.times = times_of(command, loaded.scene);

@@ -94,11 +94,16 @@ std::variant<MotionFit, std::string> fit_motion(const recordings::Track& track,
   for (std::size_t a = 0; a < 3; ++a) axes[a] = fit_chains(z[a], fit.dt);
   for (std::size_t k = 0; k < kOrders; ++k) {
     fit.orders[k] = over_axes(axes, k, static_cast<double>(seen));
-    if (fit.orders[k].bayes < fit.orders[static_cast<std::size_t>(fit.best)].bayes)
-      fit.best = static_cast<int>(k);
+    const bool white = fit.orders[k].p_value >= question.significance;
+    const auto less = [&](int than) {
+      return fit.orders[k].bayes < fit.orders[static_cast<std::size_t>(than)].bayes;
+    };
+    if (less(fit.likeliest)) fit.likeliest = static_cast<int>(k);
+    if (white && (!fit.fits || less(fit.best))) fit.best = static_cast<int>(k);
+    fit.fits = fit.fits || white;
   }
+  if (!fit.fits) fit.best = fit.likeliest;
   const OrderFit& best = fit.orders[static_cast<std::size_t>(fit.best)];
-  fit.fits = best.p_value >= question.significance;
   fit.still = true;
   for (const ChainFit& axis : best.axes)
     fit.still = fit.still && axis.edge == Edge::no_motion;

@@ -32,9 +32,12 @@ struct MotionFit {
   std::size_t frames = 0;  ///< that count, gaps among them
   std::size_t gaps = 0;
   std::array<OrderFit, kOrders> orders;  ///< P, PV, PVA
-  int best = 0;                          ///< the index of the likeliest
-  bool fits = false;                     ///< its innovations are white
-  bool still = false;                    ///< no axis moves
+  int likeliest = 0;                     ///< the index of the least BIC
+  /// The index of the one to take: the likeliest of those whose innovations are white,
+  /// and of all where none's are.
+  int best = 0;
+  bool fits = false;   ///< its innovations are white
+  bool still = false;  ///< no axis moves
 };
 
 /// @returns the fit, or a sentence that says why there is none

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "delos/text/units.h"
 
@@ -74,6 +75,22 @@ std::optional<double> unit_of(std::string_view name, bool of_time) {
   return factor && !name.empty() ? std::optional(*factor) : std::nullopt;
 }
 
+std::vector<std::string> distinct(std::vector<std::string> names) {
+  std::unordered_set<std::string> seen;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!seen.insert(names[i]).second) names[i] += "#" + std::to_string(i + 1);
+  return names;
+}
+
+std::optional<double> unit_said(const std::string& file, const ReadOptions& options,
+                                Diagnostics& findings) {
+  if (options.unit > 0) return options.unit;
+  findings.push_back({{file, 0, 0},
+                      Severity::error,
+                      "doesn't say the unit of its lengths; give --unit, such as cm"});
+  return std::nullopt;
+}
+
 std::optional<Recording> evenly_spaced(const Lines& lines,
                                        const std::vector<std::string>& names,
                                        const Frames& frames, double period) {
@@ -115,7 +132,9 @@ std::optional<Recording> evenly_spaced(const Lines& lines,
   if (lines.findings.size() > errors) return std::nullopt;
 
   std::vector<std::size_t> at = {0};
+  // What is missing is held in memory, too.
   constexpr double kMostGap = 1e6;
+  const std::size_t most_frames = 1000 + 10 * count;
   for (std::size_t i = 1; i < count; ++i) {
     const double step = (frames.time[i] - frames.time[i - 1]) / found;
     const double whole = std::round(step);
@@ -127,6 +146,12 @@ std::optional<Recording> evenly_spaced(const Lines& lines,
       return std::nullopt;
     }
     at.push_back(at.back() + static_cast<std::size_t>(whole));
+    if (at.back() >= most_frames) {
+      lines.error(frames.line[i], 1,
+                  "more than nine of ten frames are missing before it; cut the "
+                  "recording into parts");
+      return std::nullopt;
+    }
   }
   Recording recording{period, {}};
   for (std::size_t t = 0; t < names.size(); ++t) {

@@ -53,9 +53,26 @@ struct Frames {
     const Lines& lines, const std::vector<std::string>& names, const Frames& frames,
     double period);
 
+/// Some files name a marker twice: the second is "head#2".
+[[nodiscard]] std::vector<std::string> distinct(std::vector<std::string> names);
+
+/// How many metres the lengths are of a file that doesn't say; with a finding where
+/// nobody said.
+[[nodiscard]] std::optional<double> unit_said(const std::string& file,
+                                              const ReadOptions& options,
+                                              Diagnostics& findings);
+
+[[nodiscard]] std::optional<Recording> read_bvh(const Lines& lines,
+                                                const ReadOptions& options);
 [[nodiscard]] std::optional<Recording> read_csv(const Lines& lines,
                                                 const ReadOptions& options);
+[[nodiscard]] std::optional<Recording> read_motive(const Lines& lines);
 [[nodiscard]] std::optional<Recording> read_trc(const Lines& lines);
 [[nodiscard]] std::optional<Recording> read_tum(const Lines& lines);
+/// @param bytes of the whole file
+[[nodiscard]] std::optional<Recording> read_c3d(std::string_view bytes,
+                                                const std::string& file,
+                                                const ReadOptions& options,
+                                                Diagnostics& findings);
 
 }  // namespace delos::recordings

@@ -35,14 +35,20 @@ std::optional<Recording> read_recording(const std::filesystem::path& file,
   std::ifstream in(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) return refuse("can't be read");
+  const std::string suffix = file.extension().string();
+  if (suffix == ".c3d") return read_c3d(text, file.string(), options, findings);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   const Lines lines{file.string(), split(text), findings};
-  const std::string suffix = file.extension().string();
-  if (suffix == ".csv") return read_csv(lines, options);
+  if (suffix == ".bvh") return read_bvh(lines, options);
+  if (suffix == ".csv")
+    return text.starts_with("Format Version") ? read_motive(lines)
+                                              : read_csv(lines, options);
   if (suffix == ".trc") return read_trc(lines);
   if (suffix == ".tum") return read_tum(lines);
-  return refuse("'" + suffix +
-                "' isn't a kind of recording that is read; known: .csv, .trc, .tum");
+  return refuse(
+      "'" + suffix +
+      "' isn't a kind of recording that is read; known: .bvh, .c3d, .csv, .trc, "
+      ".tum");
 }
 
 }  // namespace delos::recordings

@@ -38,11 +38,7 @@ std::optional<Recording> read_trc(const Lines& lines) {
   const auto heads = cells_of(lines.lines[3], separator);
   for (std::size_t c = 2; c < heads.size(); ++c) {
     if (heads[c].text.empty()) continue;
-    std::string name(heads[c].text);
-    // Some files name a marker twice.
-    if (std::find(names.begin(), names.end(), name) != names.end())
-      name += "#" + std::to_string(names.size() + 1);
-    names.push_back(std::move(name));
+    names.emplace_back(heads[c].text);
     first.push_back(c);
   }
   if (names.empty()) lines.error(3, 1, "names no marker");
@@ -72,7 +68,15 @@ std::optional<Recording> read_trc(const Lines& lines) {
     if (lines.findings.size() > before + 20) break;
   }
   if (lines.findings.size() > before) return std::nullopt;
-  return evenly_spaced(lines, names, frames, 1 / rate);
+  for (std::size_t i = 0; i < std::min(keys.size(), facts.size()); ++i) {
+    if (keys[i].text != "NumFrames") continue;
+    const double said = number_of(facts[i].text).value_or(0);
+    if (said != static_cast<double>(frames.time.size()))
+      lines.warning(2, "has " + std::to_string(frames.time.size()) +
+                           " frames, but its NumFrames says " +
+                           std::string(facts[i].text) + "; was it copied whole?");
+  }
+  return evenly_spaced(lines, distinct(names), frames, 1 / rate);
 }
 
 }  // namespace delos::recordings

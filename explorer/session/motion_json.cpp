@@ -22,10 +22,15 @@ const char* word_of(motion::Edge edge) {
 }  // namespace
 
 Json motion_json(const motion::MotionFit& fit, const std::string& source) {
-  Json json{{"file", source},         {"track", fit.track},
-            {"dt", number(fit.dt)},   {"frames", fit.frames},
-            {"gaps", fit.gaps},       {"fits", fit.fits},
-            {"still", fit.still},     {"best", motion::type_of_order(fit.best + 1)},
+  Json json{{"file", source},
+            {"track", fit.track},
+            {"dt", number(fit.dt)},
+            {"frames", fit.frames},
+            {"gaps", fit.gaps},
+            {"fits", fit.fits},
+            {"still", fit.still},
+            {"best", motion::type_of_order(fit.best + 1)},
+            {"likeliest", motion::type_of_order(fit.likeliest + 1)},
             {"orders", Json::array()}};
   for (const motion::OrderFit& order : fit.orders) {
     Json of{{"type", motion::type_of_order(order.axes[0].order)},
@@ -43,6 +48,19 @@ Json motion_json(const motion::MotionFit& fit, const std::string& source) {
     json["orders"].push_back(of);
   }
   json["motion"] = motion::motion_block(fit, source);
+  return json;
+}
+
+Json segments_json(const std::vector<motion::Segment>& segments,
+                   const std::string& source) {
+  Json json{{"segments", Json::array()},
+            {"motions", motion::motions_block(segments, source)}};
+  for (const motion::Segment& s : segments) {
+    Json one = motion_json(s.fit, source);
+    one["from"] = number(s.from);
+    one["to"] = number(s.to);
+    json["segments"].push_back(std::move(one));
+  }
   return json;
 }
 

@@ -9,7 +9,8 @@ namespace {
 const std::vector<std::string> kCommands = {
     "field",      "point",    "compare",  "check",       "devices",
     "new-device", "simulate", "optimize", "study",       "tradeoff",
-    "report",     "demo",     "explore",  "sample-time", "fit-motion"};
+    "report",     "demo",     "explore",  "sample-time", "fit-motion",
+    "motions",    "noise",    "power",    "shutter"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

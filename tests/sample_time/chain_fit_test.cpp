@@ -10,52 +10,20 @@
 #include <vector>
 
 #include "motion/motion_fit.h"
+#include "support/walk.h"
 
 namespace delos::motion {
 namespace {
 
 constexpr double kDt = 0.01;
 
-/// A chain of order k, drawn step by step, and seen with noise.
-class Walk {
- public:
-  Walk(int k, double q, double r, unsigned seed)
-      : A_(Eigen::MatrixXd::Zero(k, k)), Q_(k, k), r_(r), random_(seed) {
-    for (int i = 0; i < k; ++i)
-      for (int j = 0; j < k; ++j) {
-        const int p = 2 * k - 1 - i - j;
-        if (j >= i) A_(i, j) = std::pow(kDt, j - i) / std::tgamma(j - i + 1.0);
-        Q_(i, j) = q * std::pow(kDt, p) /
-                   (p * std::tgamma(k - i + 0.0) * std::tgamma(k - j + 0.0));
-      }
-    L_ = Q_.llt().matrixL();
-    x_ = Eigen::VectorXd::Zero(k);
-  }
-  double next() {
-    Eigen::VectorXd w(x_.size());
-    for (double& v : w) v = normal_(random_);
-    x_ = A_ * x_ + L_ * w;
-    return x_(0) + std::sqrt(r_) * normal_(random_);
-  }
-  std::vector<double> record(int n) {
-    std::vector<double> z;
-    for (int i = 0; i < n; ++i) z.push_back(next());
-    return z;
-  }
-
- private:
-  Eigen::MatrixXd A_, Q_, L_;
-  Eigen::VectorXd x_;
-  double r_;
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
-};
+using test::Walk;
 
 /// −2 log L by the joint covariance of all values, which is a Gaussian of that
 /// covariance: of z_t − z_0 for a P chain from a known start, q t and r each.
 TEST(ChainFit, HasTheLikelihoodOfTheJointGaussian) {
   const int n = 80;
-  const std::vector<double> z = Walk(1, 2.0, 0.01, 5).record(n);
+  const std::vector<double> z = Walk(1, 2.0, 0.01, kDt, 5).record(n);
   const ChainFit fit = fit_chains(z, kDt)[0];
   // The first kOrders values find the state: what is left is given them.
   const auto log_density = [&](int count) {
@@ -85,7 +53,7 @@ TEST(ChainFit, FindsOrderAndNoiseAgain) {
       const double q = std::pow(10, (s % 7) / 3.0 - 1);
       const double r = q * std::pow(kDt, 2 * k - 1) * std::pow(10, (s % 5) / 2.0);
       const std::vector<double> z =
-          Walk(k, q, r, 1000 * static_cast<unsigned>(k) + s).record(kFrames);
+          Walk(k, q, r, kDt, 1000 * static_cast<unsigned>(k) + s).record(kFrames);
       const auto fits = fit_chains(z, kDt);
       int best = 0;
       for (int o = 1; o < kOrders; ++o)
@@ -112,7 +80,7 @@ TEST(ChainFit, FindsOrderAndNoiseAgain) {
 
 /// Frames that are missing are stepped over: less is known, and it is the same.
 TEST(ChainFit, StepsOverGaps) {
-  Walk walk(2, 1.0, 1e-6, 3);
+  Walk walk(2, 1.0, 1e-6, kDt, 3);
   std::vector<double> z = walk.record(4000);
   for (std::size_t i = 0; i < z.size(); ++i)
     if (i % 10 == 3 || (i > 1000 && i < 1200) || i < 5) z[i] = NAN;
@@ -127,7 +95,7 @@ recordings::Track track_of(int k, double q, double r, int frames) {
   recordings::Track track{"hand", {}};
   track.at.resize(frames, 3);
   for (unsigned a = 0; a < 3; ++a) {
-    Walk walk(k, q * (a + 1), r, 77 + a);
+    Walk walk(k, q * (a + 1), r, kDt, 77 + a);
     for (int i = 0; i < frames; ++i) track.at(i, a) = walk.next();
   }
   return track;
@@ -165,6 +133,29 @@ TEST(MotionFit, SaysThatNoneFits) {
   EXPECT_FALSE(std::get<MotionFit>(answer).fits);
   EXPECT_NE(motion_block(std::get<MotionFit>(answer), "p.csv").find("None of"),
             std::string::npos);
+}
+
+/// What is white counts before what is likely: a chain whose noise isn't white has a
+/// likeliest order, and is taken by a higher one that whitens it.
+TEST(MotionFit, TakesTheLikeliestOfThoseThatAreWhite) {
+  const auto answer = fit_motion(track_of(1, 0.5, 1e-4, 3000), kDt, {});
+  const MotionFit& fit = std::get<MotionFit>(answer);
+  EXPECT_EQ(fit.best, 0);
+  EXPECT_EQ(fit.likeliest, 0);
+  FitQuestion question;
+  // Between the p-values of P and of PV nothing but the whitest is left.
+  double white = 0;
+  std::size_t whitest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (fit.orders[k].p_value > white) white = fit.orders[whitest = k].p_value;
+  question.significance = white * 0.999;
+  const auto again = fit_motion(track_of(1, 0.5, 1e-4, 3000), kDt, question);
+  EXPECT_EQ(std::get<MotionFit>(again).best, static_cast<int>(whitest));
+  EXPECT_TRUE(std::get<MotionFit>(again).fits);
+  question.significance = 1;
+  const auto none = fit_motion(track_of(1, 0.5, 1e-4, 3000), kDt, question);
+  EXPECT_EQ(std::get<MotionFit>(none).best, 0);
+  EXPECT_FALSE(std::get<MotionFit>(none).fits);
 }
 
 /// Noise about one place: no q is told from 0.

@@ -95,6 +95,12 @@ TEST_F(Recordings, AreReadFromTrc) {
     EXPECT_NEAR(got->tracks[1].at(0, 2), 0.003, 1e-15);
     EXPECT_TRUE(std::isnan(got->tracks[1].at(1, 0)));
     EXPECT_TRUE(std::isnan(got->tracks[1].at(2, 0)));
+    EXPECT_TRUE(findings_.empty());
+    ASSERT_TRUE(read("a.trc", each.substr(0, each.find("3\t0.02"))));
+    if (each == text) {
+      EXPECT_EQ(findings_.at(0).message,
+                "has 2 frames, but its NumFrames says 3; was it copied whole?");
+    }
   }
 }
 
@@ -127,7 +133,7 @@ TEST_F(Recordings, AreRefusedWithASentence) {
   says(refused("a.trc", "PathFileType\nDataRate,Units\n0,furlong\n,,a\n,\n"),
        "its DataRate isn't above 0");
   says(refused("a.tum", "1 2 3\n"), "a.tum:1:1: error: has 3 numbers");
-  says(refused("a.c3d", "x"), "isn't a kind of recording that is read");
+  says(refused("a.xyz", "x"), "isn't a kind of recording that is read");
   Diagnostics none;
   EXPECT_FALSE(read_recording(folder_.path() / "b.csv", {}, none));
   EXPECT_EQ(none.size(), 1u);

@@ -61,8 +61,7 @@ std::vector<Bad> bad_texts() {
       {"UnknownKeyFarFromAll",
        good_with("  state: position", "  wheels: 4"),
        {e("5:3: error: motion.wheels: unknown key; known: type, state, order, names, "
-          "q, A, "
-          "Q")}},
+          "q, A, Q, speed, acceleration, vertical, changes_within, named")}},
       {"UnknownDeviceKey",
        good_with("    rate: 50 Hz", "    rate: 50 Hz\n    ratte: 1"),
        {e("15:5: error: devices.s1.ratte: unknown key; did you mean 'rate'?")}},

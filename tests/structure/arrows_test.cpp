@@ -167,7 +167,9 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards(
-      {"explorer", {"recordings", "motion", "session", "server", "report", "cli"}}, "");
+      {"explorer",
+       {"recordings", "motion", "readings", "session", "server", "report", "cli"}},
+      "");
 }
 
 struct Home {
@@ -182,7 +184,8 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"Boost",
        std::regex("boost/.*"),
        {"kernel/src/plugin/", "kernel/src/expression/", "kernel/src/simulation/",
-        "explorer/motion/", "explorer/session/", "explorer/server/"}},
+        "explorer/motion/", "explorer/readings/", "explorer/session/",
+        "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
       {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},

@@ -7,6 +7,7 @@
 #include "document/file_text.h"
 #include "document/node_text.h"
 #include "document/override.h"
+#include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
 
 namespace delos {
@@ -124,6 +125,10 @@ std::string save_scene(Scene scene, const std::filesystem::path& folder,
   if (const std::string problem = missing_folder(file); !problem.empty())
     return problem;
   return commit_file(file, [&](std::ostream& out) { out << write_scene(scene); });
+}
+
+Override motion_override(const MotionEntry& motion) {
+  return {"motion", to_yaml(write_motion(motion.motion))};
 }
 
 std::string write_scene(const Scene& scene) { return to_yaml(scene_node(scene)); }

@@ -6,6 +6,7 @@
 #include "delos/text/units.h"
 #include "delos/text/words.h"
 #include "document/node_text.h"
+#include "scene/motion_word_keys.h"
 #include "scene/noise_check.h"
 #include "scene/words.h"
 
@@ -115,7 +116,7 @@ void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>
     out = std::move(m);
 }
 
-constexpr std::array<Key<MotionDraft>, 7> kKeys = {{
+constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
     {"type", Need::required,
      "position, position_velocity, position_velocity_acceleration, custom or "
      "continuous",
@@ -175,6 +176,13 @@ constexpr std::array<Key<MotionDraft>, 7> kKeys = {{
        if (!d.Q) return std::nullopt;
        return matrix_node(*d.Q);
      }},
+    // Read together, by q_of_words().
+    {"speed", Need::optional, "in words: how fast it moves, m/s"},
+    {"acceleration", Need::optional, "in words: likewise of an accelerated one, m/s²"},
+    {"vertical", Need::optional, "in words: root mean square of that along z"},
+    {"changes_within", Need::optional, "in words: the time in which that is forgotten"},
+    // Read alone, by read_named_motion().
+    {"named", Need::optional, "a motion of the library, instead of all the rest"},
 }};
 
 /// Say which keys belong to the other kind of motion, and which are missing.
@@ -189,8 +197,13 @@ void check_keys(Reader& reader, const Place& at, const MotionDraft& draft) {
                              {"A", true, Need::required},
                              {"Q", true, Need::required},
                              {"q", false, Need::required}};
-  const bool custom = !draft.is_chain();
+  const bool custom = !draft.is_chain(), words = has_motion_words(at.node());
+  if (custom && words)
+    reader.error_within(at, at.node().mark, "type",
+                        "words such as speed describe position, position_velocity and "
+                        "position_velocity_acceleration only");
   for (const Rule& rule : kRules) {
+    if (words && rule.key == std::string_view("q")) continue;
     const Node* node = at.node().find(rule.key);
     if (node && rule.custom != custom)
       reader.error_within(at, node->mark, rule.key,
@@ -275,6 +288,7 @@ void finish_custom(Reader& reader, const Place& at, MotionDraft& draft,
 }  // namespace
 
 void read_motion(Reader& reader, const Place& at, MotionModel& out) {
+  if (at.node().find("named")) return read_named_motion(reader, at, out);
   MotionDraft draft;
   if (!read_map(reader, at, kKeys, draft) || !draft.type) return;
   check_keys(reader, at, draft);
@@ -283,8 +297,33 @@ void read_motion(Reader& reader, const Place& at, MotionModel& out) {
     finish_custom(reader, at, draft, out);
   } else {
     out.layout = draft.layout;
+    if (has_motion_words(at.node())) draft.q = q_of_words(reader, at, draft.layout);
     if (draft.q) out.dynamics = ChainMotion{*draft.q};
   }
+}
+
+void read_motions(Reader& reader, const Place& at, std::vector<MotionEntry>& out) {
+  if (!reader.expect(at, Node::Kind::map, "a mapping of names to motions")) return;
+  const Node& node = at.node();
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    MotionEntry entry{reader.key_name(at, i), {}};
+    const Place place(at, node.keys[i].text, node.items[i]);
+    if (entry.name == "all")
+      reader.error(place, "'all' means all of them; take another name");
+    if (!reader.expect(place, Node::Kind::map, "a mapping")) continue;
+    read_motion(reader, place, entry.motion);
+    out.push_back(std::move(entry));
+  }
+}
+
+Node write_motions(const std::vector<MotionEntry>& motions) {
+  Node map;
+  map.kind = Node::Kind::map;
+  for (const MotionEntry& entry : motions) {
+    map.keys.push_back({entry.name, {}});
+    map.items.push_back(write_motion(entry.motion));
+  }
+  return map;
 }
 
 Node write_motion(const MotionModel& motion) {

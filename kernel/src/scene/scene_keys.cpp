@@ -82,6 +82,14 @@ constexpr std::array<Key<SceneDraft>, 26> kSceneKeys = {{
        d.known.motion = r.findings.errors() == before;
      },
      [](const SceneDraft& d) -> Written { return write_motion(d.scene.motion); }},
+    {"motions", Need::optional, "other motions, by name, that it may have instead",
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_motions(r, p, d.scene.motions);
+     },
+     [](const SceneDraft& d) -> Written {
+       if (d.scene.motions.empty()) return std::nullopt;
+       return write_motions(d.scene.motions);
+     }},
     {"fusion", Need::optional, "how the measurements of several devices come together",
      [](Reader& r, const Place& p, SceneDraft& d) {
        d.scene.fusion = r.choice(p, kFusionWords);

@@ -46,6 +46,9 @@ namespace delos {
 /// The scene as YAML in SI units; reading it gives the same scene, bit for bit.
 [[nodiscard]] DELOS_API std::string write_scene(const Scene& scene);
 
+/// The change that gives a scene one of its `motions`, by name, as its motion.
+[[nodiscard]] DELOS_API Override motion_override(const MotionEntry& motion);
+
 /// The scene with the files that it names by relative paths named by absolute ones, so
 /// that its text can stand in any folder.
 /// @param folder where its relative paths start

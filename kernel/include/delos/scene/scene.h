@@ -250,6 +250,13 @@ struct ClockEntry {
   friend bool operator==(const ClockEntry&, const ClockEntry&) = default;
 };
 
+/// A motion that the target may have instead of the scene's.
+struct MotionEntry {
+  std::string name;
+  MotionModel motion;
+  friend bool operator==(const MotionEntry&, const MotionEntry&) = default;
+};
+
 /// A metric by a formula.
 struct MetricEntry {
   std::string name;
@@ -263,7 +270,8 @@ struct MetricEntry {
 struct DELOS_API Scene {
   std::string name;
   MotionModel motion;
-  std::optional<Fusion> fusion;  ///< not given: see definition_of()
+  std::vector<MotionEntry> motions;  ///< others, each evaluated by itself when asked
+  std::optional<Fusion> fusion;      ///< not given: see definition_of()
   std::vector<SampleSet> samples;
   Orientations orientations;
   CovarianceKind covariance = CovarianceKind::prior;
