@@ -167,7 +167,9 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards(
-      {"explorer", {"recordings", "motion", "session", "server", "report", "cli"}}, "");
+      {"explorer",
+       {"recordings", "motion", "imports", "session", "server", "report", "cli"}},
+      "");
 }
 
 struct Home {
@@ -178,7 +180,11 @@ struct Home {
 
 TEST(Arrows, LeadToEachLibraryFromItsRoom) {
   const Home homes[] = {
-      {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/document/"}},
+      {"yaml-cpp",
+       std::regex("yaml-cpp/.*"),
+       {"kernel/src/document/", "explorer/imports/"}},
+      {"pugixml", std::regex("pugixml.*"), {"explorer/imports/"}},
+      {"toml++", std::regex("toml\\+\\+/.*"), {"explorer/imports/"}},
       {"Boost",
        std::regex("boost/.*"),
        {"kernel/src/plugin/", "kernel/src/expression/", "kernel/src/simulation/",
