@@ -94,7 +94,7 @@ Html frame_of_view(const RigView& view, const Eigen::Vector2d& high) {
   const double bottom = kViewHigh - kRigBottom, left = view.left + kRigLeft;
   const double width = (high.x() - view.low.x()) * view.scale,
                height = (high.y() - view.low.y()) * view.scale;
-  Html out = svg_text(left, 18, "start", view.title, 14);
+  Html out = svg_text(left, bottom - height - 8, "start", view.title, 14);
   for (const Tick& tick : linear_ticks(view.low.x(), high.x(), 5)) {
     const double x = left + (tick.value - view.low.x()) * view.scale;
     out += svg_line(x, bottom, x, bottom + 4, "#555555");
