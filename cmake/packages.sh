@@ -5,6 +5,7 @@ packages_to_build=(
   libeigen3-dev libboost-dev libyaml-cpp-dev libudunits2-dev
   libcairo2-dev fonts-dejavu-core nlohmann-json3-dev libcli11-dev
   libcgal-dev libnlopt-dev libsqlite3-dev
+  libpugixml-dev libtomlplusplus-dev
 )
 packages_to_check=(
   libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev libglpk-dev

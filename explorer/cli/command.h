@@ -89,6 +89,8 @@ void add_compare_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_devices_command(CLI::App& program, int& exit_code);
 void add_new_device_command(CLI::App& program, int& exit_code);
+void add_import_command(CLI::App& program, int& exit_code);
+void add_export_command(CLI::App& program, int& exit_code);
 void add_optimize_command(CLI::App& program, int& exit_code);
 void add_study_command(CLI::App& program, int& exit_code);
 void add_select_command(CLI::App& program, int& exit_code);

@@ -6,6 +6,7 @@
 #include "delos/text/units.h"
 #include "json.h"
 #include "session/parameter_table.h"
+#include "session/presets.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -17,7 +18,7 @@ using session::word;
 struct DevicesCommand {
   std::string id;
   std::vector<std::filesystem::path> plugin_dirs;
-  bool json = false, markdown = false;
+  bool json = false, markdown = false, presets = false;
 };
 
 std::string default_of(const ParamSpec& p) {
@@ -100,6 +101,23 @@ int show_all(const DevicesCommand& command, PluginRegistry& plugins) {
   return exit_code;
 }
 
+/// What to write for devices that one can buy, of one plugin or of all.
+int show_presets(const std::string& id) {
+  bool any = false;
+  for (const session::DevicePreset& preset : session::device_presets()) {
+    if (!id.empty() && id != preset.type) continue;
+    any = true;
+    std::cout << preset.name << "\n  type: " << preset.type << ", params: {"
+              << preset.params << "}\n";
+    if (preset.add[0] != 0)
+      std::cout << "  no figure is published for, and you add, such as: " << preset.add
+                << "\n";
+    std::cout << "  source: " << preset.source << "\n";
+  }
+  if (!any) throw Failure{kDiagnostics, "there is no preset of '" + id + "'"};
+  return kDone;
+}
+
 }  // namespace
 
 void add_devices_command(CLI::App& program, int& exit_code) {
@@ -112,8 +130,17 @@ void add_devices_command(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   auto* json = app->add_flag("--json", command->json, "As JSON");
   app->add_flag("--markdown", command->markdown, "As Markdown tables")->excludes(json);
-  app->footer("Examples:\n  delos devices\n  delos devices pinhole_camera --markdown");
+  app->add_flag("--presets", command->presets,
+                "Published figures of devices that one can buy, with their sources")
+      ->excludes(json);
+  app->footer(
+      "Examples:\n  delos devices\n  delos devices pinhole_camera --markdown\n"
+      "  delos devices imu --presets");
   app->callback([command, &exit_code] {
+    if (command->presets) {
+      exit_code = show_presets(command->id);
+      return;
+    }
     for (const auto& folder : command->plugin_dirs) {
       std::error_code error;
       const std::filesystem::directory_iterator readable(folder, error);

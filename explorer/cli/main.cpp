@@ -53,6 +53,8 @@ int run(int argc, char** argv) {
   add_check_command(program, exit_code);
   add_devices_command(program, exit_code);
   add_new_device_command(program, exit_code);
+  add_import_command(program, exit_code);
+  add_export_command(program, exit_code);
   add_optimize_command(program, exit_code);
   add_study_command(program, exit_code);
   add_select_command(program, exit_code);

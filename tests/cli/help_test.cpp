@@ -10,7 +10,8 @@ const std::vector<std::string> kCommands = {
     "field",      "point",    "compare",  "check",       "devices",
     "new-device", "simulate", "optimize", "study",       "tradeoff",
     "report",     "demo",     "explore",  "sample-time", "fit-motion",
-    "motions",    "noise",    "power",    "shutter"};
+    "motions",    "noise",    "power",    "shutter",     "import",
+    "export"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

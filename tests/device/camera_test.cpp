@@ -203,9 +203,9 @@ TEST(Camera, RefusesParametersThatClash) {
   EXPECT_EQ(says("field_of_view: 3.2"),
             "a field_of_view of half a turn or more needs distortion: fisheye");
   EXPECT_EQ(says("f_x: 800, near: 2, far: 2"), "near must be less than far");
-  EXPECT_EQ(says("f_x: 800, k4: 1"), "k4 is of distortion: fisheye");
+  EXPECT_EQ(says("f_x: 800, k4: 1"), "k4 is of distortion: fisheye or rational");
   EXPECT_EQ(says("f_x: 800, p1: 1, distortion: fisheye"),
-            "p1 and p2 are of distortion: brown_conrady");
+            "p1 and p2 are of distortion: brown_conrady or rational");
   EXPECT_EQ(says("f_x: 800, distortion: fisheye, noise: image"),
             "noise: image is for lenses that aren't a fisheye");
   EXPECT_EQ(says("f_x: 800, least_size: 3"),

@@ -168,7 +168,8 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards(
       {"explorer",
-       {"recordings", "motion", "readings", "session", "server", "report", "cli"}},
+       {"recordings", "motion", "readings", "imports", "session", "server", "report",
+        "cli"}},
       "");
 }
 
@@ -180,7 +181,11 @@ struct Home {
 
 TEST(Arrows, LeadToEachLibraryFromItsRoom) {
   const Home homes[] = {
-      {"yaml-cpp", std::regex("yaml-cpp/.*"), {"kernel/src/document/"}},
+      {"yaml-cpp",
+       std::regex("yaml-cpp/.*"),
+       {"kernel/src/document/", "explorer/imports/"}},
+      {"pugixml", std::regex("pugixml.*"), {"explorer/imports/"}},
+      {"toml++", std::regex("toml\\+\\+/.*"), {"explorer/imports/"}},
       {"Boost",
        std::regex("boost/.*"),
        {"kernel/src/plugin/", "kernel/src/expression/", "kernel/src/simulation/",

@@ -8,6 +8,7 @@
 //   brown_conrady   a = x/z, b = y/z, s = a² + b², g = 1 + k1 s + k2 s² + k3 s³
 //                   a′ = a g + 2 p1 a b + p2 (s + 2 a²)
 //                   b′ = b g + 2 p2 a b + p1 (s + 2 b²)
+//   rational        the same with g / (1 + k4 s + k5 s² + k6 s³) in g's place
 //   fisheye         θ = atan2(ρ, z), θ′ = θ (1 + k1 θ² + k2 θ⁴ + k3 θ⁶ + k4 θ⁸)
 //                   (a′, b′) = θ′ (x, y)/ρ
 //
@@ -37,18 +38,22 @@ class CameraModel {
   /// @throws std::invalid_argument the values clash
   explicit CameraModel(const ParamValues& p)
       : fisheye_(p.choice("distortion") == "fisheye"),
+        rational_(p.choice("distortion") == "rational"),
         near_(p["near"]),
         far_(p["far"]),
-        k_{p["k1"], p["k2"], p["k3"], p["k4"]},
+        k_{p["k1"], p["k2"], p["k3"], p["k4"], p["k5"], p["k6"]},
         p_{p["p1"], p["p2"]} {
     const Eigen::MatrixXd& size = p.matrix("resolution");
     if (size.size() != 2 || !(size.array() > 0).all())
       throw std::invalid_argument("resolution must be a width and a height above 0");
     if (near_ >= far_) throw std::invalid_argument("near must be less than far");
     if (fisheye_ && (p_[0] != 0 || p_[1] != 0))
-      throw std::invalid_argument("p1 and p2 are of distortion: brown_conrady");
-    if (!fisheye_ && k_[3] != 0)
-      throw std::invalid_argument("k4 is of distortion: fisheye");
+      throw std::invalid_argument(
+          "p1 and p2 are of distortion: brown_conrady or rational");
+    if (!fisheye_ && !rational_ && k_[3] != 0)
+      throw std::invalid_argument("k4 is of distortion: fisheye or rational");
+    if (!rational_ && (k_[4] != 0 || k_[5] != 0))
+      throw std::invalid_argument("k5 and k6 are of distortion: rational");
     set_focal(p, size(0));
     left_ = -(p["c_x"] == 0 ? size(0) / 2 : p["c_x"]) / f_[0];
     right_ = left_ + size(0) / f_[0];
@@ -57,7 +62,7 @@ class CameraModel {
     centre_[0] = -left_ * f_[0];
     centre_[1] = -up_ * f_[1];
     bends_ = fisheye_ || p_[0] != 0 || p_[1] != 0 ||
-             std::any_of(k_, k_ + 3, [](double k) { return k != 0; });
+             std::any_of(k_, k_ + 6, [](double k) { return k != 0; });
     set_view(p["half_angle"]);
   }
 
@@ -172,9 +177,17 @@ class CameraModel {
     b = p.y / z;
     if (!bends_) return;
     const T ab = 2.0 * a * b, aa = a * a, bb = b * b, s = aa + bb;
-    const T g = 1.0 + s * (k_[0] + s * (k_[1] + s * k_[2]));
+    const T g = radial(s);
     a = a * g + p_[0] * ab + p_[1] * (s + 2.0 * aa);
     b = b * g + p_[1] * ab + p_[0] * (s + 2.0 * bb);
+  }
+
+  /// g of s, without the fisheye's k4.
+  template <class T>
+  [[nodiscard]] T radial(const T& s) const {
+    const T g = 1.0 + s * (k_[0] + s * (k_[1] + s * k_[2]));
+    if (!rational_) return g;
+    return g / (1.0 + s * (k_[3] + s * (k_[4] + s * k_[5])));
   }
 
   /// θ′/ρ, which goes on linearly in z/d beyond the view; near the axis θ/ρ = (1 − t/3
@@ -278,14 +291,15 @@ class CameraModel {
   template <class T>
   [[nodiscard]] T radius_at(const T& r) const {
     const T s = r * r;
+    if (!fisheye_) return r * radial(s);
     return r * (1.0 + s * (k_[0] + s * (k_[1] + s * (k_[2] + s * k_[3]))));
   }
 
-  bool fisheye_;
+  bool fisheye_, rational_;
   bool bends_ = false;    // it isn't a plain pinhole
   bool bounded_ = false;  // a cone bounds the view besides the image
   double near_, far_;     // m
-  double k_[4], p_[2];
+  double k_[6], p_[2];
   double f_[2] = {};             // px
   double centre_[2] = {};        // px
   double left_ = 0, right_ = 0;  // edges of the image, normalised

@@ -40,16 +40,21 @@ struct CameraTable {
       number("pitch", "m", "Width of a pixel, which is square.")
           .initially(0)
           .between(0, 1e-3),
-      choice("distortion", "brown_conrady|fisheye",
+      choice("distortion", "brown_conrady|rational|fisheye",
              "The lens's model; without coefficients a pinhole or an equidistant "
              "fisheye.")
           .initially("brown_conrady"),
       number("k1", "1", "Radial coefficient.").initially(0),
       number("k2", "1", "Radial coefficient.").initially(0),
       number("k3", "1", "Radial coefficient.").initially(0),
-      number("k4", "1", "Radial coefficient of a fisheye.").initially(0),
-      number("p1", "1", "Tangential coefficient of brown_conrady.").initially(0),
-      number("p2", "1", "Tangential coefficient of brown_conrady.").initially(0),
+      number("k4", "1", "Radial coefficient of fisheye, or of rational's denominator.")
+          .initially(0),
+      number("k5", "1", "Radial coefficient of rational's denominator.").initially(0),
+      number("k6", "1", "Radial coefficient of rational's denominator.").initially(0),
+      number("p1", "1", "Tangential coefficient of brown_conrady and rational.")
+          .initially(0),
+      number("p2", "1", "Tangential coefficient of brown_conrady and rational.")
+          .initially(0),
       number("half_angle", "rad",
              "Greatest angle to the optical axis that is seen: a round view within the "
              "image.")
