@@ -20,7 +20,9 @@ BlockEvaluator::BlockEvaluator(const SteadySolver& solver, const System& system,
       with_footprint_(reads(metric, MetricKind::footprint)),
       request_(request_for(system, {&metric, 1})),
       equation_(solver.equation()),
-      P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {}
+      P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {
+  if (reads_linearisation(metric)) linearisation_.emplace(system);
+}
 
 void BlockEvaluator::operator()(const LayerBlock& block, const TargetPose* poses,
                                 PoseValue* values) {
@@ -45,9 +47,10 @@ PoseValue BlockEvaluator::solved_value(const LayerBlock& block, int lane,
                                        const TargetPose& pose) {
   solver_.read(block, lane, pose, equation_);
   solver_.solve(equation_, request_, state_);
+  PoseFacts facts = facts_of(system_, block, lane, pose, with_footprint_);
+  if (linearisation_) add_linearisation(state_, pose, *linearisation_, facts);
   const double value =
-      state_metric(metric_, system_.motion.layout, state_, system_.covariance,
-                   facts_of(system_, block, lane, pose, with_footprint_));
+      state_metric(metric_, system_.motion.layout, state_, system_.covariance, facts);
   // A lost direction of the pose is lost with its derivatives.
   const int order = system_.motion.layout.order;
   const auto lost = static_cast<int>(state_.unobservable.cols());

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
+#include "field/linearisation.h"
 #include "field/pose_facts.h"
 
 namespace delos {
@@ -42,6 +44,7 @@ class BlockEvaluator {
   PoseFacts facts_[kLanes];
   int lost_[kLanes] = {};
   FusedState state_;
+  std::optional<LinearisationCheck> linearisation_;  // where the metric reads it
 };
 
 /// The values of several orientations at one point become one.

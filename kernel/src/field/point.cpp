@@ -34,9 +34,13 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
 double value_of(const Metric& metric, const System& system, const FusedState& state,
                 const LayerBlock& block, const TargetPose& pose) {
   if (!metric_problem(system, metric).empty()) return kInfinity;
+  PoseFacts facts = facts_of(system, block, 0, pose, true);
+  if (reads_linearisation(metric)) {
+    LinearisationCheck check(system);
+    add_linearisation(state, pose, check, facts);
+  }
   const double value =
-      state_metric(metric, system.motion.layout, state, system.covariance,
-                   facts_of(system, block, 0, pose, true));
+      state_metric(metric, system.motion.layout, state, system.covariance, facts);
   return std::isfinite(value) ? value : kInfinity;
 }
 
