@@ -7,9 +7,9 @@ namespace delos::test {
 namespace {
 
 const std::vector<std::string> kCommands = {
-    "field",      "point",    "compare",  "check",       "devices",
-    "new-device", "simulate", "optimize", "study",       "tradeoff",
-    "report",     "demo",     "explore",  "sample-time", "fit-motion"};
+    "field",    "point",       "compare",    "check",           "devices", "new-device",
+    "simulate", "optimize",    "study",      "tradeoff",        "report",  "demo",
+    "explore",  "sample-time", "fit-motion", "compare-measured"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

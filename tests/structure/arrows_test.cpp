@@ -167,7 +167,9 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards(
-      {"explorer", {"recordings", "motion", "session", "server", "report", "cli"}}, "");
+      {"explorer",
+       {"recordings", "motion", "measured", "session", "server", "report", "cli"}},
+      "");
 }
 
 struct Home {
