@@ -10,6 +10,10 @@ BodyPoints unit_points(const BodyPose& pose) {
   return {pose.R.col(0) + pose.t, pose.R.col(1) + pose.t, pose.R.col(2) + pose.t};
 }
 
+BodyPoints virtual_points(const BodyPose& pose, double arm) {
+  return unit_points({arm * pose.R, pose.t});
+}
+
 BodyPose moved(const BodyState& state, double dt, const BodyPose& pose) {
   const BodyMotion m = body_motion(state.omega, dt);
   return {m.W * pose.R, m.W * pose.t + m.V * state.v + m.A * state.a};
@@ -44,32 +48,62 @@ BodyState BodyFilter::next(double dt) const {
   return {state_.omega, state_.v + dt * state_.a, state_.a};
 }
 
-void BodyFilter::predict(double dt) {
-  state_ = next(dt);
+BodyFilter::Covariance BodyFilter::next_covariance(double dt) const {
   Covariance H = Covariance::Identity();
   H.block<3, 3>(3, 6).diagonal().setConstant(dt);
-  P_ = (H * P_ * H.transpose()).eval();
-  P_.diagonal().segment<3>(0).array() += noise_.omega;
-  P_.diagonal().segment<3>(3).array() += noise_.v;
-  P_.diagonal().segment<3>(6).array() += noise_.a;
+  Covariance P = H * P_ * H.transpose();
+  P.diagonal().segment<3>(0).array() += noise_.omega;
+  P.diagonal().segment<3>(3).array() += noise_.v;
+  P.diagonal().segment<3>(6).array() += noise_.a;
+  return P;
 }
 
-void BodyFilter::frame(double dt, const BodyPoints& before, const BodyPoints& after) {
-  if (begun_) predict(dt);
-  begun_ = true;
-  const PointResidual r = point_residual(state_, dt, before, after);
-  const Covariance JP = r.slope * P_;
-  Covariance S = JP * r.slope.transpose();
-  const Eigen::Matrix3d of_point =
-      noise_.point * (r.W * r.W.transpose() + Eigen::Matrix3d::Identity());
-  for (int i = 0; i < 3; ++i) S.block<3, 3>(3 * i, 3 * i) += of_point;
-  const Eigen::LDLT<Covariance> split(S);
-  const Eigen::Matrix<double, 9, 1> change = -JP.transpose() * split.solve(r.f);
+void BodyFilter::coast(double dt) {
+  P_ = next_covariance(dt);
+  state_ = next(dt);
+}
+
+/// The update by f(s) = 0 but for noise: K = P Jᵀ (J P Jᵀ + N)⁻¹, s ← s − K f.
+template <int m>
+void BodyFilter::update(const Eigen::Matrix<double, m, 1>& f,
+                        const Eigen::Matrix<double, m, 9>& slope,
+                        const Eigen::Matrix<double, m, m>& noise) {
+  const Eigen::Matrix<double, m, 9> JP = slope * P_;
+  const Eigen::Matrix<double, m, m> S = JP * slope.transpose() + noise;
+  const Eigen::LDLT<Eigen::Matrix<double, m, m>> split(S);
+  const Eigen::Matrix<double, 9, 1> change = -JP.transpose() * split.solve(f);
   state_.omega += change.segment<3>(0);
   state_.v += change.segment<3>(3);
   state_.a += change.segment<3>(6);
   P_ -= (JP.transpose() * split.solve(JP)).eval();
   P_ = ((P_ + P_.transpose()) / 2).eval();
+}
+
+void BodyFilter::frame(double dt, const BodyPoints& before, const BodyPoints& after) {
+  if (begun_) coast(dt);
+  begun_ = true;
+  const PointResidual r = point_residual(state_, dt, before, after);
+  Covariance noise = Covariance::Zero();
+  const Eigen::Matrix3d of_point =
+      noise_.point * (r.W * r.W.transpose() + Eigen::Matrix3d::Identity());
+  for (int i = 0; i < 3; ++i) noise.block<3, 3>(3 * i, 3 * i) = of_point;
+  update<9>(r.f, r.slope, noise);
+}
+
+void BodyFilter::gyroscope(const Eigen::Vector3d& omega, double variance) {
+  Eigen::Matrix<double, 3, 9> J = Eigen::Matrix<double, 3, 9>::Zero();
+  J.leftCols<3>().setIdentity();
+  update<3>(state_.omega - omega, J, variance * Eigen::Matrix3d::Identity());
+}
+
+void BodyFilter::accelerometer(double dt, const Eigen::Vector3d& p,
+                               const Eigen::Vector3d& acceleration, double variance) {
+  const Eigen::Matrix3d w = skew(state_.omega);
+  const Eigen::Vector3d velocity = w * p + state_.v + dt * state_.a;
+  Eigen::Matrix<double, 3, 9> J;
+  J << -skew(velocity) - w * skew(p), w, dt * w + Eigen::Matrix3d::Identity();
+  update<3>(w * velocity + state_.a - acceleration, J,
+            variance * Eigen::Matrix3d::Identity());
 }
 
 }  // namespace delos::rigid_body

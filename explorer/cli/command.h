@@ -10,6 +10,7 @@
 
 #include "delos/field/evaluate.h"
 #include "delos/plugin/registry.h"
+#include "delos/simulation/filter.h"
 #include "interrupt.h"
 #include "progress.h"
 #include "session/loaded_scene.h"
@@ -105,5 +106,9 @@ void add_power_command(CLI::App& program, int& exit_code);
 void add_shutter_command(CLI::App& program, int& exit_code);
 void add_explore_command(CLI::App& program, int& exit_code);
 void add_simulate_command(CLI::App& program, int& exit_code);
+void add_compare_measured_command(CLI::App& program, int& exit_code);
+
+/// @throws Failure kUsage
+[[nodiscard]] FilterKind filter_named(const std::string& name);
 
 }  // namespace delos::cli

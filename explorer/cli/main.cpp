@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   add_demo_command(program, exit_code);
   add_explore_command(program, exit_code);
   add_simulate_command(program, exit_code);
+  add_compare_measured_command(program, exit_code);
   try {
     program.parse(argc, argv);
     return ended(exit_code);

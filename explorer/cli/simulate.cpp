@@ -15,6 +15,7 @@
 #include "evaluation.h"
 #include "json.h"
 #include "report/simulation_chart.h"
+#include "session/kept_simulation.h"
 #include "session/simulation_answer.h"
 #include "summary.h"
 
@@ -26,20 +27,12 @@ using session::SimulationAnswer;
 
 struct SimulateCommand {
   SceneOptions options;
-  std::filesystem::path scene, path, out;
+  std::filesystem::path scene, path, out, keep;
   std::vector<std::string> at;
   std::string rpy, filter = "extended", seconds;
   int runs = 1000;
   std::uint64_t seed = 1;
 };
-
-FilterKind filter_named(const std::string& name) {
-  for (const FilterKind kind : {FilterKind::extended, FilterKind::iterated,
-                                FilterKind::sequential, FilterKind::unscented})
-    if (name == to_string(kind)) return kind;
-  throw Failure{kUsage, "--filter '" + name +
-                            "': choose extended, iterated, sequential or unscented"};
-}
 
 void check_out(const SimulateCommand& command, std::size_t places) {
   if (command.out.empty()) return;
@@ -50,6 +43,25 @@ void check_out(const SimulateCommand& command, std::size_t places) {
   if (places != 1)
     throw Failure{kUsage,
                   "--out writes what happens at one place: give one --at, or --path"};
+}
+
+/// Go on from the runs that a file has, and keep more of them there.
+void keep_runs(const SimulateCommand& command, const LoadedScene& loaded,
+               const std::vector<SimulatedPlace>& all, SimulationOptions& options) {
+  if (command.keep.empty()) return;
+  if (all.size() != 1)
+    throw Failure{kUsage, "--keep is of one place: give one --at, or --path"};
+  const std::string identity = session::identity_of_runs(loaded, all.front(), options);
+  session::KeptRuns kept = session::kept_runs(command.keep, identity);
+  if (!kept.problem.empty()) throw Failure{kDiagnostics, kept.problem};
+  options.resume = std::move(kept.sums);
+  options.save = [file = command.keep, identity,
+                  failed = false](const std::string& sums) mutable {
+    if (failed) return;
+    const std::string problem = session::save_runs(file, identity, sums);
+    failed = !problem.empty();
+    if (failed) std::cerr << "delos: runs aren't kept: " << problem << "\n";
+  };
 }
 
 /// The target's orientation: what was asked for, or the scene's first.
@@ -216,6 +228,7 @@ int run(const SimulateCommand& command) {
   options.cancel = &interrupt.requested();
   const std::vector<SimulatedPlace> all = places(command, loaded, options, interrupt);
   check_out(command, all.size());
+  keep_runs(command, loaded, all, options);
   std::vector<SimulationAnswer> answers;
   bool cancelled = false, refused = true;
   for (const SimulatedPlace& place : all) {
@@ -244,6 +257,14 @@ int run(const SimulateCommand& command) {
 
 }  // namespace
 
+FilterKind filter_named(const std::string& name) {
+  for (const FilterKind kind : {FilterKind::extended, FilterKind::iterated,
+                                FilterKind::sequential, FilterKind::unscented})
+    if (name == to_string(kind)) return kind;
+  throw Failure{kUsage, "--filter '" + name +
+                            "': choose extended, iterated, sequential or unscented"};
+}
+
 void add_simulate_command(CLI::App& program, int& exit_code) {
   auto command = std::make_shared<SimulateCommand>();
   CLI::App* app =
@@ -269,10 +290,14 @@ void add_simulate_command(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   app->add_option("--out", command->out,
                   "Write the instants as rows (.csv) or a picture of the error (.svg)");
+  app->add_option("--keep", command->keep,
+                  "Keep finished runs in this file, and go on from it");
   add_scene_options(*app, command->options);
   app->footer(
       "Examples:\n"
       "  delos simulate scenes/01-acoustic.yaml --runs 2000 --seed 1 --json\n"
+      "  delos simulate scenes/01-acoustic.yaml --at 0.2,0.2,0.4 --runs 100000 "
+      "--keep runs.bin\n"
       "  delos simulate scenes/05-optitrack-lab.yaml --at 0,0,1.5 --filter unscented\n"
       "  delos simulate scenes/05-optitrack-lab.yaml --path scenes/data/walk/walk.csv "
       "\\\n"

@@ -11,7 +11,7 @@ const std::vector<std::string> kCommands = {
     "new-device", "simulate", "optimize", "study",       "tradeoff",
     "report",     "demo",     "explore",  "sample-time", "fit-motion",
     "motions",    "noise",    "power",    "shutter",     "import",
-    "export"};
+    "export",     "compare-measured"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

@@ -149,7 +149,7 @@ TEST(RefusedScenes, NameTheMetricsThatThereAre) {
       "scene.yaml:7:9: error: metric: unknown metric 'sigma_q'; this state has "
       "sigma_x sigma_y sigma_z sigma_vx sigma_vy sigma_vz sigma_horizontal "
       "sigma_position eigmax "
-      "eiglen mle trace det coverage footprint latency\n"
+      "eiglen mle trace det coverage footprint latency nonlinearity unscented_ratio\n"
       "scene.yaml:13:11: error: devices.s1.rate: must be above 0; a device that is "
       "off is left out\n");
 }

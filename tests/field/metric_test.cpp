@@ -89,7 +89,7 @@ TEST(Metric, ThatTheStateLacksIsRefusedWithTheListOfThoseThere) {
   EXPECT_EQ(std::get<std::string>(answer),
             "unknown metric 'sigma_vx'; this state has sigma_x sigma_y sigma_z "
             "sigma_horizontal sigma_position eigmax eiglen mle trace det coverage "
-            "footprint latency");
+            "footprint latency nonlinearity unscented_ratio");
 }
 
 TEST(Metric, IsInfiniteOnlyWhereItReadsALostDirection) {

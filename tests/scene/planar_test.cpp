@@ -94,13 +94,14 @@ std::vector<Bad> bad_planes() {
        planar("metric: sigma_z\n"),
        {e("18:9: error: metric: unknown metric 'sigma_z'; this state has sigma_x "
           "sigma_y sigma_vx sigma_vy sigma_horizontal sigma_position eigmax eiglen mle "
-          "trace det coverage footprint latency")}},
+          "trace det coverage footprint latency nonlinearity unscented_ratio")}},
       {"OrientationWithoutHeading",
        planar("objective: {minimize: mean, of: sigma_orientation}\n"),
        {e("18:33: error: objective.of: unknown metric 'sigma_orientation'; this state "
           "has sigma_x sigma_y sigma_vx sigma_vy sigma_horizontal sigma_position "
           "eigmax "
-          "eiglen mle trace det coverage footprint latency")}},
+          "eiglen mle trace det coverage footprint latency nonlinearity "
+          "unscented_ratio")}},
       {"SingleReadingWithoutPose",
        level("covariance: single\nmetric: sigma_level\n"),
        {e("5:13: error: covariance: single is of the target's pose, which this state "
@@ -113,7 +114,7 @@ std::vector<Bad> bad_planes() {
        level(""),
        {e("2:9: error: motion: has no pose for the usual metric; name another in "
           "'metric': unknown metric 'eigmax'; this state has sigma_level mle coverage "
-          "footprint latency")}},
+          "footprint latency nonlinearity unscented_ratio")}},
       {"ChainWithoutPose",
        good_with("state: position", "state: none"),
        {e("5:10: error: motion.state: is for custom and continuous motion; this type "

@@ -61,7 +61,7 @@ std::vector<Bad> bad_searches() {
        {e("18:33: error: objective.of: unknown metric 'eigmx'; this state has sigma_x "
           "sigma_y sigma_z sigma_vx sigma_vy sigma_vz sigma_horizontal sigma_position "
           "eigmax eiglen mle "
-          "trace det coverage footprint latency")}},
+          "trace det coverage footprint latency nonlinearity unscented_ratio")}},
       {"MoreIsBetter",
        with("objective: {minimize: mean, of: coverage}\n"),
        {e("18:23: error: objective.minimize: more coverage is better: maximize it")}},

@@ -168,8 +168,8 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards(
       {"explorer",
-       {"recordings", "motion", "readings", "imports", "session", "server", "report",
-        "cli"}},
+       {"recordings", "motion", "measured", "readings", "imports", "session", "server",
+        "report", "cli"}},
       "");
 }
 

@@ -21,6 +21,7 @@ BlockEvaluator::BlockEvaluator(const SteadySolver& solver, const System& system,
       request_(request_for(system, {&metric, 1})),
       equation_(solver.equation()),
       P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {
+  if (reads_linearisation(metric)) linearisation_.emplace(system);
   if (!counts_bias(system) || need_ == MetricNeed::nothing) return;
   bias_.emplace(system);
   bias_->widen(request_);
@@ -50,10 +51,12 @@ PoseValue BlockEvaluator::solved_value(const LayerBlock& block, int lane,
   solver_.read(block, lane, pose, equation_);
   if (bias_) information_ = information_of(equation_);
   solver_.solve(equation_, request_, state_);
+  PoseFacts facts = facts_of(system_, block, lane, pose, with_footprint_);
+  if (linearisation_) add_linearisation(state_, pose, *linearisation_, facts);
+  // Of the scatter: linearising knows nothing of what is constantly off.
   if (bias_) (*bias_)(pose, information_, state_);
   const double value =
-      state_metric(metric_, system_.motion.layout, state_, system_.covariance,
-                   facts_of(system_, block, lane, pose, with_footprint_));
+      state_metric(metric_, system_.motion.layout, state_, system_.covariance, facts);
   // A lost direction of the pose is lost with its derivatives.
   const int order = system_.motion.layout.order;
   const auto lost = static_cast<int>(state_.unobservable.cols());

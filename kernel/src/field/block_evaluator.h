@@ -7,6 +7,7 @@
 
 #include "delos/steady/state_metric.h"
 #include "delos/steady/steady_solver.h"
+#include "field/linearisation.h"
 #include "field/pose_facts.h"
 #include "steady/bias.h"
 
@@ -46,6 +47,7 @@ class BlockEvaluator {
   FusedState state_;
   std::optional<BiasSolver> bias_;  // where numbers count it
   StateMatrix information_;         // of the pose, which solving may divide into rows
+  std::optional<LinearisationCheck> linearisation_;  // where the metric reads it
 };
 
 /// The values of several orientations at one point become one.

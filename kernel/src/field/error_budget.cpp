@@ -17,7 +17,11 @@ namespace {
 class Values {
  public:
   Values(const System& system, const SolvedPose& at)
-      : system_(system), facts_(facts_of(system, at.block, 0, at.pose, true)) {}
+      : system_(system), facts_(facts_of(system, at.block, 0, at.pose, true)) {
+    // Linearising knows nothing of what is constantly off.
+    LinearisationCheck check(system);
+    add_linearisation(at.scatter, at.pose, check, facts_);
+  }
 
   [[nodiscard]] double operator()(const Metric& metric, const FusedState& state) const {
     if (!metric_problem(system_, metric).empty()) return kInfinity;

@@ -17,6 +17,17 @@
 
 namespace delos {
 std::string metric_problem(const System& system, const Metric& metric) {
+  if (reads_linearisation(metric)) {
+    const std::string name = "metric " + metric.name + ": ";
+    if (system.covariance == CovarianceKind::single)
+      return name + "a single reading has no error before it; use covariance: prior";
+    if (system.fusion == Fusion::artemis)
+      return name +
+             "artemis fusion is no filter's covariance; use stacked or "
+             "continuous";
+    if (system.lag > 0)
+      return name + "is of the error at the readings; leave lag out, or set it to 0";
+  }
   if (!reads(metric, MetricKind::latency)) return "";
   if (system.covariance == CovarianceKind::single)
     return "metric latency: a single reading has no closed loop; use covariance: prior";

@@ -1,5 +1,6 @@
 #include "delos/field/point.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -37,9 +38,13 @@ Eigen::MatrixXd weighted_rows(const System& system, const WhitenedRows& whitened
 double value_of(const Metric& metric, const System& system, const FusedState& state,
                 const LayerBlock& block, const TargetPose& pose) {
   if (!metric_problem(system, metric).empty()) return kInfinity;
+  PoseFacts facts = facts_of(system, block, 0, pose, true);
+  if (reads_linearisation(metric)) {
+    LinearisationCheck check(system);
+    add_linearisation(state, pose, check, facts);
+  }
   const double value =
-      state_metric(metric, system.motion.layout, state, system.covariance,
-                   facts_of(system, block, 0, pose, true));
+      state_metric(metric, system.motion.layout, state, system.covariance, facts);
   return std::isfinite(value) ? value : kInfinity;
 }
 
@@ -148,7 +153,12 @@ PointReport evaluate_point(const System& system, const TargetPose& pose,
   if (doubtful && bias_problem(with_error(system, ErrorPart::total)).empty())
     add_budget(system, {pose, block, S, scatter}, metric, report);
 
-  const double with = value_of(metric, system, report.state, block, pose);
+  const auto same =
+      std::find_if(report.metrics.begin(), report.metrics.end(),
+                   [&](const MetricValue& m) { return m.metric.name == metric.name; });
+  const double with = same != report.metrics.end()
+                          ? same->value
+                          : value_of(metric, system, report.state, block, pose);
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     DeviceShare& share = report.devices[i];
     share.visible = (block.seen[i] & 1) != 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "delos/model/infinity.h"
+#include "delos/model/metric_expression.h"
 
 namespace delos {
 
@@ -19,6 +20,20 @@ PoseFacts facts_of(const System& system, const LayerBlock& block, int lane,
     if (own > 0) facts.footprint = std::min(facts.footprint, own);
   }
   return facts;
+}
+
+bool reads_linearisation(const Metric& metric) {
+  return reads(metric, MetricKind::nonlinearity) ||
+         reads(metric, MetricKind::unscented_ratio);
+}
+
+void add_linearisation(const FusedState& state, const TargetPose& pose,
+                       LinearisationCheck& check, PoseFacts& facts) {
+  if (state.status != RiccatiStatus::converged) return;  // has no value anyway
+  const Linearisation at =
+      check.at(pose, state.worst_prior.size() > 0 ? state.worst_prior : state.prior);
+  facts.nonlinearity = at.nonlinearity;
+  facts.unscented_ratio = at.unscented_ratio;
 }
 
 }  // namespace delos

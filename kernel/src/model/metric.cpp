@@ -37,7 +37,8 @@ std::string likelihood_unit(const StateLayout& layout) {
 std::string unit_of(const MetricRow& row, const StateLayout& layout) {
   if (row.kind == MetricKind::mle) return likelihood_unit(layout);
   if (row.kind == MetricKind::footprint) return "m";
-  if (row.reads == MetricReads::devices) return "1";
+  if (row.reads == MetricReads::devices || row.reads == MetricReads::readings)
+    return "1";
   if (row.reads == MetricReads::closed_loop) return "s";
   const bool turns = row.reads == MetricReads::orientation ||
                      (row.reads == MetricReads::block && layout.positions() == 0);

@@ -11,6 +11,11 @@ namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
+bool has_slope(MetricKind kind) {
+  return kind != MetricKind::latency && kind != MetricKind::footprint &&
+         kind != MetricKind::nonlinearity && kind != MetricKind::unscented_ratio;
+}
+
 /// The names of a formula, and what each of them is.
 struct Vocabulary {
   ExpressionNames names;
@@ -61,8 +66,7 @@ Trend trend_of(const MetricInput& input) {
       break;
   }
   const Metric& metric = input.metric;
-  if (metric.kind == MetricKind::latency || metric.kind == MetricKind::footprint)
-    return {Sign::positive, Way::any};
+  if (!has_slope(metric.kind)) return {Sign::positive, Way::any};
   if (metric.expression) return evaluate_metric<Trend>(*metric.expression, trend_of);
   return {Sign::positive, metric.larger_is_better ? Way::falls : Way::rises};
 }
@@ -114,6 +118,14 @@ bool reads(const Metric& metric, MetricKind kind) {
   const auto& inputs = metric.expression->inputs;
   return std::any_of(inputs.begin(), inputs.end(), [kind](const MetricInput& input) {
     return input.kind == MetricInput::Kind::metric && reads(input.metric, kind);
+  });
+}
+
+bool has_slope(const Metric& metric) {
+  if (!metric.expression) return has_slope(metric.kind);
+  const auto& inputs = metric.expression->inputs;
+  return std::all_of(inputs.begin(), inputs.end(), [](const MetricInput& input) {
+    return input.kind != MetricInput::Kind::metric || has_slope(input.metric);
   });
 }
 

@@ -182,6 +182,10 @@ constexpr MetricRow kTable[] = {
      nullptr, nullptr, nullptr},
     {"latency", MetricKind::latency, MetricReads::closed_loop, 0, false, false, false,
      nullptr, nullptr, nullptr},
+    {"nonlinearity", MetricKind::nonlinearity, MetricReads::readings, 0, false, false,
+     false, nullptr, nullptr, nullptr},
+    {"unscented_ratio", MetricKind::unscented_ratio, MetricReads::readings, 0, false,
+     false, false, nullptr, nullptr, nullptr},
 };
 
 // What a formula reads stands in the formula.
@@ -233,6 +237,7 @@ MetricNeed need_of(const Metric& metric, const StateLayout& layout) {
     case MetricReads::closed_loop:
       return MetricNeed::time_constant;
     case MetricReads::whole_state:
+    case MetricReads::readings:
       return MetricNeed::whole_state;
     case MetricReads::one_state:
       if (metric.state >= layout.coordinates()) return MetricNeed::whole_state;
@@ -252,6 +257,7 @@ BlockPlace place_of(const Metric& metric, const StateLayout& layout) {
     case MetricReads::orientation:
       return {layout.positions(), layout.turns()};
     case MetricReads::whole_state:
+    case MetricReads::readings:
       return {0, layout.size()};
     default:
       return {0, layout.block()};

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "delos/simulation/filter.h"
-#include "simulation/lower_root.h"
-#include "simulation/rows.h"
+#include "observe/reading_rows.h"
+#include "observe/unscented.h"
 
 namespace delos {
 namespace {
@@ -133,9 +133,8 @@ class SequentialFilter final : public TrackFilter {
   }
 };
 
-/// Unscented, reading by reading: 2N points at ±√(N + κ) along the columns of P's root
-/// and the mean, with weights 1/(2(N + κ)) and κ/(N + κ), κ = max(0, 3 − N). A reading
-/// that one of them doesn't see is taken as SequentialFilter does.
+/// Unscented, reading by reading, by unscented_moments(). A reading that one of their
+/// points doesn't see is taken as SequentialFilter does.
 class UnscentedFilter final : public TrackFilter {
  public:
   Innovation update(const ReadingModel& model, std::span<const TrackReading> readings,
@@ -155,46 +154,21 @@ class UnscentedFilter final : public TrackFilter {
   static bool take(const ReadingModel& model, const TrackReading& reading,
                    const PredictedReading& middle, TrackEstimate& estimate,
                    Innovation& sum) {
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                               kMaxRows, 2 * kMaxState>;
-    using Cross = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                                kMaxState, kMaxRows>;
-    const StateLayout& layout = model.system().motion.layout;
-    const Eigen::Index n = estimate.x.size(), m = middle.z.size();
-    const double kappa = std::max<double>(0, 3 - static_cast<double>(n));
-    const double spread = static_cast<double>(n) + kappa;
-    const StateMatrix root = std::sqrt(spread) * lower_root(estimate.P);
-    Rows z(m, 2 * n);
-    PredictedReading at;
-    for (Eigen::Index k = 0; k < 2 * n; ++k) {
-      StateVector x = estimate.x;
-      Eigen::Matrix3d R = estimate.R;
-      const StateVector change =
-          k < n ? StateVector(root.col(k)) : StateVector(-root.col(k - n));
-      move_state(layout, change, x, R);
-      if (!model.predict(reading, x, R, at)) return false;
-      z.col(k) = at.z - middle.z;
-    }
-    const double weight = 1 / (2 * spread);
-    const decltype(PredictedReading::z) mean = weight * z.rowwise().sum();
-    const double of_middle = kappa / spread;
-    decltype(PredictedReading::R) S = middle.R + of_middle * mean * mean.transpose();
-    Cross C = Cross::Zero(n, m);
-    for (Eigen::Index k = 0; k < 2 * n; ++k) {
-      z.col(k) -= mean;
-      S += weight * z.col(k) * z.col(k).transpose();
-      const double sign = k < n ? weight : -weight;
-      C += sign * root.col(k < n ? k : k - n) * z.col(k).transpose();
-    }
-    const Eigen::LDLT<decltype(PredictedReading::R)> split(S);
+    UnscentedMoments of;
+    if (!unscented_moments(model, reading, middle, estimate.x, estimate.R, estimate.P,
+                           of))
+      return false;
+    of.S += middle.R;
+    const Eigen::LDLT<decltype(PredictedReading::R)> split(of.S);
     if (!(split.vectorD().minCoeff() > 0)) return false;  // rows without noise
-    const decltype(PredictedReading::z) nu = reading.z - middle.z - mean;
+    const decltype(PredictedReading::z) nu = reading.z - middle.z - of.mean;
     const decltype(PredictedReading::z) scaled = split.solve(nu);
     sum.nis += nu.dot(scaled);
-    sum.rows += static_cast<int>(m);
-    move_state(layout, StateVector(C * scaled), estimate.x, estimate.R);
-    const decltype(PredictedReading::H) K_transposed = split.solve(C.transpose());
-    StateMatrix P = estimate.P - C * K_transposed;
+    sum.rows += static_cast<int>(nu.size());
+    move_state(model.system().motion.layout, StateVector(of.C * scaled), estimate.x,
+               estimate.R);
+    const decltype(PredictedReading::H) K_transposed = split.solve(of.C.transpose());
+    StateMatrix P = estimate.P - of.C * K_transposed;
     estimate.P = (P + P.transpose()) / 2;
     return true;
   }

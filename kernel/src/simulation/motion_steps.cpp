@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "simulation/lower_root.h"
+#include "model/lower_root.h"
 #include "steady/windows.h"
 
 namespace delos {
@@ -38,21 +38,21 @@ MotionSteps::MotionSteps(const System& system, std::span<const UpdateSlot> slots
   }
 }
 
-void MotionSteps::predict(std::size_t instant, TrackEstimate& estimate) const {
-  const MotionStep& motion = slot(instant).motion;
+void predict_state(const StateLayout& layout, const MotionStep& motion,
+                   TrackEstimate& estimate) {
   const StateVector before = estimate.x;
   estimate.x.noalias() = motion.A * before;
   StateMatrix F = motion.A, Q = motion.Q;
-  if (layout_.turns() > 0) {
-    const int at = layout_.positions();
+  if (layout.turns() > 0) {
+    const int at = layout.positions();
     Eigen::Vector3d turn(0, 0, 0);
-    if (layout_.turns() == 1)
+    if (layout.turns() == 1)
       turn.z() = estimate.x(at) - before(at);
     else
       turn = estimate.x.segment<3>(at) - before.segment<3>(at);
     const Eigen::Matrix3d E = exponential(turn);
     estimate.R = (E * estimate.R).eval();
-    if (layout_.turns() == 3) {
+    if (layout.turns() == 3) {
       const Eigen::Matrix3d S = skew(turn);
       const Eigen::Matrix3d J = Eigen::Matrix3d::Identity() + S / 2 + S * S / 6;
       F.middleRows<3>(at) = (J * motion.A.middleRows<3>(at)).eval();

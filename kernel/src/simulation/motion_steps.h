@@ -20,7 +20,7 @@ struct SimulatedSlot {
   std::vector<StateBlock> blocks;  ///< what each of them reads
 };
 
-/// A cycle of instants.
+/// Predict an estimate over a step of the motion.
 ///
 /// States that turn in space go on by R ← exp(Δθ) R with Δθ what the motion adds to θ,
 /// noise included. An error δθ, R_true = exp(δθ) R, is turned with the estimate:
@@ -28,6 +28,10 @@ struct SimulatedSlot {
 ///     δθ⁺ = exp(Δθ) δθ + J δ(Δθ),   J = I + [Δθ]/2 + [Δθ]²/6 + O(Δθ³)
 ///
 /// which at rest is A again.
+void predict_state(const StateLayout& layout, const MotionStep& motion,
+                   TrackEstimate& estimate);
+
+/// A cycle of instants.
 class MotionSteps {
  public:
   /// @throws std::invalid_argument as ExposureWindows
@@ -41,7 +45,9 @@ class MotionSteps {
   [[nodiscard]] int states() const { return states_; }   ///< N
 
   /// Predict over the interval that leads to an instant.
-  void predict(std::size_t instant, TrackEstimate& estimate) const;
+  void predict(std::size_t instant, TrackEstimate& estimate) const {
+    predict_state(layout_, slot(instant).motion, estimate);
+  }
 
  private:
   std::vector<SimulatedSlot> slots_;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "rig/sight.h"
-#include "simulation/rows.h"
+#include "observe/possible_readings.h"
+#include "observe/reading_rows.h"
 
 namespace delos {
 namespace {
@@ -97,12 +97,8 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
     });
     readings.push_back(reading);
   };
-  if (placed.device->span() != Span::point) {
-    const bool may_hide = !placed.carried() && may_be_hidden(system, placed);
-    if (may_hide && !in_sight(system, placed, X_WT, PlacedMarker())) return;
-    return add();
-  }
-  if (const TargetMount* carried = placed.carried()) {
+  if (const TargetMount* carried = placed.carried();
+      carried && placed.device->span() == Span::point) {
     const std::vector<BeaconSighting>& all =
         scratch.beacons.see(system, placed, X_WT).all;
     pick(*carried, all, beacons, scratch.picked);
@@ -113,12 +109,11 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
     }
     return;
   }
-  const bool may_hide = may_be_hidden(system, placed);
-  for (std::size_t m = 0; m < system.markers.size(); ++m) {
-    if (may_hide && !in_sight(system, placed, X_WT, system.markers[m])) continue;
-    reading.of = m;
-    add();
-  }
+  each_possible_reading(system, placed, X_WT, scratch.beacons,
+                        [&](int, std::size_t of, double) {
+                          reading.of = of;
+                          add();
+                        });
 }
 
 }  // namespace delos

@@ -4,17 +4,19 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
+#include "model/lower_root.h"
 #include "observe/shared_noise.h"
 #include "parallel/first_failure.h"
 #include "simulation/expectation.h"
 #include "simulation/given_states.h"
-#include "simulation/lower_root.h"
 #include "simulation/tally.h"
+#include "simulation/tally_bytes.h"
 #include "simulation/track_run.h"
 
 namespace delos {
@@ -68,6 +70,30 @@ void each_bound(const MotionSteps& steps, const StateMatrix& root, const Tally& 
     take(i, false, P);
   }
 }
+
+/// Saves sums of whole chunks, in their order and none left out, every few seconds and
+/// at last.
+class KeptSums {
+ public:
+  explicit KeptSums(const SimulationOptions& options) : options_(options) {}
+
+  void before_adding(const Tally& part, const Tally& sums) {
+    if (!whole_ || !options_.save) return;
+    whole_ = part.runs == kRunsTogether;
+    const auto now = std::chrono::steady_clock::now();
+    if (whole_ && now - saved_ < std::chrono::seconds(2)) return;
+    saved_ = now;
+    options_.save(bytes_of(sums));
+  }
+  void finish(const Tally& sums) {
+    if (whole_ && options_.save) options_.save(bytes_of(sums));
+  }
+
+ private:
+  const SimulationOptions& options_;
+  bool whole_ = true;
+  std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+};
 
 void check_simulated(const System& system, const SimulationOptions& options) {
   bool exposes = false;
@@ -180,6 +206,13 @@ Simulation simulate(const System& system, const TargetPose& about,
   const auto wanted = static_cast<std::size_t>(options.runs);
   const std::size_t chunks = (wanted + kRunsTogether - 1) / kRunsTogether;
   const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  if (!options.resume.empty() &&
+      !(read_bytes(options.resume, sums) && sums.runs <= wanted &&
+        sums.runs % kRunsTogether == 0))
+    throw std::invalid_argument(
+        "what was saved isn't of these runs, or of more of them than are asked for");
+  const std::size_t done_before = sums.runs / kRunsTogether;
+  KeptSums kept(options);
   FirstFailure failure;
   const auto stopped = [&] { return options.cancel && *options.cancel; };
 #pragma omp parallel num_threads(threads)
@@ -187,7 +220,7 @@ Simulation simulate(const System& system, const TargetPose& about,
     Tally part(expected, instants, n, N);
     TrackRuns::Memory memory{Tally(expected, instants, n, N)};
 #pragma omp for ordered schedule(static, 1)
-    for (std::size_t c = 0; c < chunks; ++c) {
+    for (std::size_t c = done_before; c < chunks; ++c) {
       part.clear();
       failure.guard([&] {
         if (stopped()) return;
@@ -196,11 +229,13 @@ Simulation simulate(const System& system, const TargetPose& about,
       });
 #pragma omp ordered
       {
+        kept.before_adding(part, sums);
         sums.add(part);
         if (options.progress) options.progress(sums.runs, wanted);
       }
     }
   }
+  kept.finish(sums);
   failure.rethrow();
   done.runs = sums.runs;
   done.cancelled = sums.runs < wanted;

@@ -11,8 +11,7 @@
 namespace delos {
 
 std::string slope_problem(const System& system, const Metric& metric) {
-  if (reads(metric, MetricKind::latency) || reads(metric, MetricKind::footprint))
-    return metric.name + " has no derivative here";
+  if (!has_slope(metric)) return metric.name + " has no derivative here";
   return adjoint_problem(system);
 }
 

@@ -53,6 +53,8 @@ double state_metric(const Metric& metric, const StateLayout& layout,
   // metric of all states reads every lost direction.
   const auto [first, size] = place_of(metric, layout);
   if (reads_lost(state.unobservable, first, size)) return kInfinity;
+  if (metric.kind == MetricKind::nonlinearity) return facts.nonlinearity;
+  if (metric.kind == MetricKind::unscented_ratio) return facts.unscented_ratio;
   return metric_value(metric, layout, state.covariance(kind));
 }
 

@@ -28,6 +28,8 @@ enum class MetricKind {
   coverage,    ///< number of devices that see the target
   footprint,   ///< what a pixel covers at the sample, of the device that does best
   latency,     ///< time constant of the slowest closed-loop pole of A − KH
+  nonlinearity,     ///< what linearising readings leaves out, in their noise
+  unscented_ratio,  ///< deviation by points of the covariance, over that of P∞
   expression,  ///< a formula of the others: a scene's own
 };
 

@@ -52,6 +52,9 @@ template <class T, class Value>
 /// Whether a metric is of this kind, or its formula reads one that is.
 [[nodiscard]] DELOS_API bool reads(const Metric& metric, MetricKind kind);
 
+/// Whether a metric is a smooth function of P∞ and of nothing else that moves.
+[[nodiscard]] DELOS_API bool has_slope(const Metric& metric);
+
 /// Whether two scenes mean the same by a metric: a name may stand for two formulas.
 [[nodiscard]] DELOS_API bool same_metric(const Metric& a, const Metric& b);
 

@@ -20,6 +20,7 @@ enum class MetricReads {
   block,        ///< the first of these two that the state has
   whole_state,  ///< all of P∞
   closed_loop,  ///< the poles of A − KH
+  readings,     ///< all of P∞, and how devices' readings bend over it
   others,       ///< what its formula reads
 };
 

@@ -31,6 +31,11 @@ struct SimulationOptions {
   std::optional<GivenPath> path;
   int threads = 0;  ///< 0: as many as OpenMP gives
   std::function<void(std::size_t, std::size_t)> progress = {};  ///< runs done, in all
+  /// Called now and then and at the end, from one thread, with the sums over the runs
+  /// so far: given back in `resume` with all else the same, but perhaps more runs or
+  /// other threads, they go on to the same bytes as if nothing had been.
+  std::function<void(const std::string&)> save = {};
+  std::string resume = {};
   const std::atomic<bool>* cancel = nullptr;
 };
 
@@ -105,7 +110,7 @@ struct Simulation {
 /// tracking and navigation, §5.4 (NEES, NIS); Tichavský, Muravchik, Nehorai (1998),
 /// IEEE TSP 46(5), 1386–1396, doi:10.1109/78.668800 (the bound).
 /// @throws std::invalid_argument what can't be simulated, or has no P∞ there; as
-///         make_steady_solver()
+///         make_steady_solver(); `resume` isn't of such runs, or of more of them
 /// @throws DeviceFault
 [[nodiscard]] DELOS_API Simulation simulate(const System& system,
                                             const TargetPose& about,

@@ -17,6 +17,9 @@ struct BodyPose {
 
 /// The points that a pose is measured by where a tracker gives poses: R e_i + t.
 [[nodiscard]] BodyPoints unit_points(const BodyPose& pose);
+/// F3: the same at an arm of `arm` metres, which weighs a pose's rotation against its
+/// translation: R arm e_i + t.
+[[nodiscard]] BodyPoints virtual_points(const BodyPose& pose, double arm);
 
 /// How a body moves: s = (ω, v, a), of Theorem 1 (rigid_body/motion.h), in any unit of
 /// time.
@@ -75,9 +78,30 @@ class BodyFilter {
   /// The motion from the last frame on: v + aΔt. What a display that lags shows is
   /// moved(next(dt), lag, pose).
   [[nodiscard]] BodyState next(double dt) const;
+  /// The covariance of next(dt).
+  [[nodiscard]] Covariance next_covariance(double dt) const;
+
+  /// Go on over a frame that nothing was seen in.
+  void coast(double dt);
+
+  /// Take in what a gyroscope reads at the end of the last frame, in W.
+  /// @param variance of an axis, (rad / unit of time)²
+  void gyroscope(const Eigen::Vector3d& omega, double variance);
+
+  /// Take in the acceleration, without gravity, of the body's point p then, in W:
+  ///
+  ///     p″ = ω × (ω × p + v + a Δt) + a
+  ///
+  /// @param dt the last frame's length
+  /// @param variance of an axis, (m / unit of time²)²
+  void accelerometer(double dt, const Eigen::Vector3d& p,
+                     const Eigen::Vector3d& acceleration, double variance);
 
  private:
-  void predict(double dt);
+  template <int m>
+  void update(const Eigen::Matrix<double, m, 1>& f,
+              const Eigen::Matrix<double, m, 9>& slope,
+              const Eigen::Matrix<double, m, m>& noise);
 
   BodyNoise noise_;
   BodyState state_;

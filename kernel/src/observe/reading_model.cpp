@@ -1,6 +1,7 @@
+#include "delos/observe/reading_model.h"
+
 #include <Eigen/Geometry>
 
-#include "delos/simulation/filter.h"
 #include "observe/answers.h"
 #include "observe/lever.h"
 #include "observe/measure.h"

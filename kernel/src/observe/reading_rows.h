@@ -1,7 +1,7 @@
 // Readings as rows of independent noise, with what they are off by.
 #pragma once
 
-#include "delos/simulation/filter.h"
+#include "delos/observe/reading_model.h"
 #include "observe/whiten.h"
 
 namespace delos {

@@ -1,0 +1,31 @@
+// Which readings a device may make of a target at a pose.
+#pragma once
+
+#include "observe/beacon_sightings.h"
+#include "rig/sight.h"
+
+namespace delos {
+
+/// Visit what a device reads at an update: visit(view, of, share), with numbers as
+/// TrackReading has them and how much of an update a reading is, 1 but for beacons.
+template <class Visit>
+void each_possible_reading(const System& system, const PlacedDevice& placed,
+                           const TargetPose& X_WT, BeaconSearch& beacons,
+                           Visit&& visit) {
+  const TargetMount* carried = placed.carried();
+  const bool may_hide = !carried && may_be_hidden(system, placed);
+  if (placed.device->span() != Span::point) {
+    if (may_hide && !in_sight(system, placed, X_WT, PlacedMarker())) return;
+    visit(0, std::size_t{0}, 1.0);
+  } else if (carried) {
+    for (const BeaconSighting& s : beacons.see(system, placed, X_WT).all)
+      if (s.share > 0) visit(s.view, std::size_t{s.beacon}, s.share);
+  } else {
+    for (std::size_t m = 0; m < system.markers.size(); ++m) {
+      if (may_hide && !in_sight(system, placed, X_WT, system.markers[m])) continue;
+      visit(0, m, 1.0);
+    }
+  }
+}
+
+}  // namespace delos

@@ -1,0 +1,133 @@
+// delos compare-measured, from files to words and pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "cli/program.h"
+
+namespace delos::test {
+namespace {
+
+std::string data(const char* name) {
+  return (std::filesystem::path(scene("01-acoustic")).parent_path() / "data" / name)
+      .string();
+}
+
+/// Roh's nine sites: by an independent script the places scatter by 36.9 mm at (3, 3)
+/// and 133.7 mm at (1.5, 4.5), 83.0 mm in the mean square.
+TEST(CompareMeasured, PlacesOfNineSites) {
+  const Folder folder;
+  const std::string map = (folder.path() / "map.png").string();
+  const Finished done = run({"compare-measured", scene("18-floor-robot"),
+                             data("bearing-tracker/places.csv"), "--degree", "0",
+                             "--window", "200", "--out", map, "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  ASSERT_EQ(json["paths"].size(), 9u);
+  const auto size = [](const Json& of) {
+    return std::hypot(of["x"].get<double>(), of["y"].get<double>());
+  };
+  for (const Json& path : json["paths"]) {
+    EXPECT_TRUE(path["bias"].is_null());
+    if (path["name"] == "places, X3.0Y3.0")
+      EXPECT_NEAR(size(path["scatter"]), 0.0369, 0.0001);
+    if (path["name"] == "places, X1.5Y4.5")
+      EXPECT_NEAR(size(path["scatter"]), 0.1337, 0.0001);
+  }
+  EXPECT_NEAR(size(json["scatter"]), 0.0830, 0.0001);
+  EXPECT_NEAR(size(json["predicted"]), 0.0892, 0.0002);  // docs/verification.md
+  EXPECT_EQ(read_file(map).substr(1, 3), "PNG");
+}
+
+/// The recorded ranges: by an independent script biases of 88 to 155 mm and scatter of
+/// 59 to 163 mm a radio.
+TEST(CompareMeasured, RangesOfFourRadios) {
+  const Finished done =
+      run({"compare-measured", scene("38-uwb-labyrinth"),
+           data("uwb-labyrinth/readings.csv"), "--skip", "5 s", "--json"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json json = done.json();
+  const double bias[] = {0.1549, 0.1123, 0.1177, 0.0882},
+               scatter[] = {0.0833, 0.1625, 0.0588, 0.0854};
+  const int count[] = {58, 59, 58, 58};
+  for (std::size_t d = 0; d < 4; ++d) {
+    const Json& device = json["devices"][d];
+    EXPECT_EQ(device["readings"], count[d]);
+    EXPECT_NEAR(device["bias"].get<double>(), bias[d], 1e-4);
+    EXPECT_NEAR(device["scatter"].get<double>(), scatter[d], 1e-4);
+  }
+  EXPECT_TRUE(json["track"].is_object());
+  const Finished words = run({"compare-measured", scene("38-uwb-labyrinth"),
+                              data("uwb-labyrinth/readings.csv"), "--debias", "--set",
+                              "devices.a105.rate=10 Hz"});
+  EXPECT_NE(words.out.find("NEES"), std::string::npos) << words.out << words.err;
+  EXPECT_NE(words.err.find("a105 reads 1.95 Hz in the file, but 10 Hz in the scene"),
+            std::string::npos)
+      << words.err;
+}
+
+TEST(CompareMeasured, RefusesWhatDoesntFit) {
+  const Folder folder;
+  const std::string file = (folder.path() / "readings.csv").string();
+  std::ofstream(file) << "t [s],device,z1\n1,a105,2\n0.5,a105,2\n1.5,b,2\n";
+  const Finished done = run({"compare-measured", scene("38-uwb-labyrinth"), file});
+  EXPECT_EQ(done.code, 1);
+  EXPECT_NE(done.err.find("readings.csv:3:1: error: "), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("readings.csv:4:5: error: "), std::string::npos) << done.err;
+  const std::string places = data("bearing-tracker/places.csv");
+  EXPECT_EQ(
+      run({"compare-measured", scene("18-floor-robot"), places, "--surface", "smooth"})
+          .code,
+      2);
+  EXPECT_EQ(
+      run({"compare-measured", scene("18-floor-robot"), places, "--degree", "99"}).code,
+      2);
+  EXPECT_EQ(run({"compare-measured", scene("18-floor-robot"), "none.csv"}).code, 1);
+}
+
+/// Runs that are kept go on to what all at once give, byte for byte.
+TEST(Simulate, KeepsRunsAndGoesOnFromThem) {
+  const Folder folder;
+  const std::string keep = (folder.path() / "runs.bin").string();
+  const auto simulated = [&](const char* runs, const char* seed, bool kept) {
+    std::vector<std::string> all = {"simulate",  scene("01-acoustic"),
+                                    "--at",      "0.2,0.2,0.4",
+                                    "--seconds", "0.2",
+                                    "--runs",    runs,
+                                    "--seed",    seed,
+                                    "--json"};
+    if (kept) all.insert(all.end(), {"--keep", keep});
+    return run(all);
+  };
+  ASSERT_EQ(simulated("64", "1", true).code, 0);
+  const Finished more = simulated("200", "1", true);
+  ASSERT_EQ(more.code, 0) << more.err;
+  EXPECT_EQ(more.out, simulated("200", "1", false).out);
+  const Finished other = simulated("200", "2", true);
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("another scene, place, filter or seed"), std::string::npos)
+      << other.err;
+  std::ofstream(keep) << "something else";
+  EXPECT_EQ(simulated("64", "1", true).code, 1);
+}
+
+/// `field` draws where linearising can't be trusted as any metric: with noise ten times
+/// as large ranges bend more over what isn't known.
+TEST(Field, ShowsWhereLinearisingCantBeTrusted) {
+  const auto mean = [](const char* metric, const char* r) {
+    std::vector<std::string> all = {"field", scene("01-acoustic"), "--metric", metric,
+                                    "--json"};
+    for (const char* name : {"s1", "s2", "s3", "s4"})
+      all.insert(all.end(),
+                 {"--set", std::string("devices.") + name + ".params.r=" + r});
+    const Finished done = run(all);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.json()["mean"].get<double>();
+  };
+  EXPECT_GT(mean("nonlinearity", "0.05"), 1.2 * mean("nonlinearity", "0.005"));
+  EXPECT_GT(mean("unscented_ratio", "0.05"), 1);
+}
+
+}  // namespace
+}  // namespace delos::test
