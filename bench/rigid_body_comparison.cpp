@@ -20,6 +20,12 @@ constexpr int kTuningRuns = 3, kRuns = 8;
 constexpr Formulation kAll[] = {Formulation::none, Formulation::apart,
                                 Formulation::joint, Formulation::joint_about_body};
 
+/// As many as can be told from each other.
+bool is_drawn(Formulation formulation, bool inertial) {
+  return inertial ? formulation == Formulation::apart
+                  : formulation != Formulation::none;
+}
+
 struct Mean {
   double value = 0, error = 0;
 };
@@ -66,7 +72,7 @@ int main(int argc, char** argv) {
     chart.y_name = "error [pixels]";
     for (const bool inertial : {false, true})
       for (const Formulation f : kAll)
-        if (f != Formulation::none)
+        if (is_drawn(f, inertial))
           chart.series.push_back({std::string(to_string(f)) + (inertial ? ", IMU" : ""),
                                   Stroke::line,
                                   {}});
@@ -81,7 +87,7 @@ int main(int argc, char** argv) {
           if (inertial && f == Formulation::none) continue;
           const Mean of = mean_over(runs, f, inertial, tuned(tuning_runs, f, inertial));
           std::printf(" %.2f ± %.2f |", of.value, of.error);
-          if (f != Formulation::none)
+          if (is_drawn(f, inertial))
             chart.series[series++].points.push_back({rate, of.value});
         }
       std::puts("");

@@ -158,8 +158,8 @@ void warn_of_rates(const ReadingsComparison& answer) {
     if (d.readings == 0)
       std::cerr << "delos: " << d.name << " has no reading in the file\n";
     else if (d.rate > 0 && std::abs(d.rate / d.scene_rate - 1) > 0.1)
-      std::cerr << "delos: " << d.name << " reads " << format_quantity(d.rate, "1/s")
-                << " in the file, but " << format_quantity(d.scene_rate, "1/s")
+      std::cerr << "delos: " << d.name << " reads " << format_quantity(d.rate, "Hz")
+                << " in the file, but " << format_quantity(d.scene_rate, "Hz")
                 << " in the scene, of which P∞ is\n";
   }
 }

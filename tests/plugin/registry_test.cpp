@@ -97,8 +97,9 @@ TEST(PluginRegistry, DevicesOutliveIt) {
 
 TEST(BadPlugin, WrongEpoch) {
   EXPECT_EQ(error_of("wrong_epoch"),
-            "was built with another plugin contract (kAbiEpoch 9, the kernel has 8); "
-            "rebuild it with the kernel's headers");
+            "was built with another plugin contract (kAbiEpoch " +
+                std::to_string(kAbiEpoch + 1) + ", the kernel has " +
+                std::to_string(kAbiEpoch) + "); rebuild it with the kernel's headers");
 }
 
 TEST(BadPlugin, WrongStampSize) {

@@ -20,17 +20,17 @@ enum class MetricKind {
   sigma_horizontal,   ///< √(σ_x² + σ_y²)
   sigma_position,     ///< √trace of the position block
   sigma_orientation,  ///< √trace of the orientation block
-  eigmax,      ///< √(largest eigenvalue of the block): Eq. 48, as plotted in metres
-  eiglen,      ///< (Σ λᵢ²)^(1/4) over the block's eigenvalues: Eq. 47
-  mle,         ///< (2π)^(−n/2) |P∞|^(−1/2) of the whole state: Eq. 46
-  trace,       ///< trace of the block
-  det,         ///< determinant of the block
-  coverage,    ///< number of devices that see the target
-  footprint,   ///< what a pixel covers at the sample, of the device that does best
-  latency,     ///< time constant of the slowest closed-loop pole of A − KH
-  nonlinearity,     ///< what linearising readings leaves out, in their noise
+  eigmax,        ///< √(largest eigenvalue of the block): Eq. 48, as plotted in metres
+  eiglen,        ///< (Σ λᵢ²)^(1/4) over the block's eigenvalues: Eq. 47
+  mle,           ///< (2π)^(−n/2) |P∞|^(−1/2) of the whole state: Eq. 46
+  trace,         ///< trace of the block
+  det,           ///< determinant of the block
+  coverage,      ///< number of devices that see the target
+  footprint,     ///< what a pixel covers at the sample, of the device that does best
+  latency,       ///< time constant of the slowest closed-loop pole of A − KH
+  nonlinearity,  ///< what linearising readings leaves out, in their noise
   unscented_ratio,  ///< deviation by points of the covariance, over that of P∞
-  expression,  ///< a formula of the others: a scene's own
+  expression,       ///< a formula of the others: a scene's own
 };
 
 struct MetricExpression;  // metric_expression.h

@@ -13,7 +13,7 @@ namespace delos {
 struct PoseFacts {
   double seen = 0;       ///< how many devices see the target
   double footprint = 0;  ///< the least of theirs, metres; +∞: none has pixels
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< where it is, in W, metres
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();   ///< where it is, in W, metres
   double nonlinearity = 0, unscented_ratio = 1;  ///< of their metrics
 };
 
