@@ -168,7 +168,6 @@ void print(std::ostream& out, const SimulationAnswer& answer,
     out << "  coasted: " << s.coasting
         << " runs had no reading for longer than a cycle, at most "
         << format_quantity(s.longest_gap, "s") << "\n";
-  if (s.lost > 0) out << "  lost: " << s.lost << " runs end more than 10 σ of P∞ off\n";
   if (s.dropped > 0)
     out << "  " << s.dropped << " readings were of what the estimate had out of view\n";
 }
