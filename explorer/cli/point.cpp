@@ -81,6 +81,20 @@ std::string value_text(double value, const std::string& unit) {
   return std::isfinite(value) ? format_quantity(value, unit) : "not observed";
 }
 
+/// Whether a metric says anything of an error, which has parts.
+bool has_parts(MetricKind kind) {
+  switch (kind) {
+    case MetricKind::coverage:
+    case MetricKind::footprint:
+    case MetricKind::latency:
+    case MetricKind::nonlinearity:
+    case MetricKind::unscented_ratio:
+      return false;
+    default:
+      return true;
+  }
+}
+
 /// Every metric a line, with its parts where devices say how well they are known.
 void print_metrics(std::ostream& out, const PointReport& report, ErrorPart part) {
   std::vector<std::vector<std::string>> lines;
@@ -90,10 +104,7 @@ void print_metrics(std::ostream& out, const PointReport& report, ErrorPart part)
     // Most devices have no pixels.
     if (metric.kind == MetricKind::footprint && !std::isfinite(value)) continue;
     lines.push_back({metric.name, value_text(value, metric.unit)});
-    // What says nothing of an error has no parts.
-    if (!report.budget || metric.kind == MetricKind::coverage ||
-        metric.kind == MetricKind::footprint || metric.kind == MetricKind::latency)
-      continue;
+    if (!report.budget || !has_parts(metric.kind)) continue;
     const double bias = report.budget->bias[m];
     lines.back().push_back(value_text(report.budget->scatter[m], metric.unit));
     // Of no volume, it has no finite one.
@@ -116,7 +127,7 @@ void print_budget(std::ostream& out, const PointReport& report, const Metric& me
   const bool any = std::any_of(report.devices.begin(), report.devices.end(),
                                [](const DeviceShare& d) { return d.calibration != 0; });
   if (any)
-    out << "Known exactly, this device alone would lower " + metric.name + " by\n";
+    out << "Known exactly, this device alone would improve " + metric.name + " by\n";
   for (const DeviceShare& d : report.devices)
     if (d.calibration != 0)
       out << "  " << cell(d.name, 18) << std::setprecision(3) << 100 * d.calibration

@@ -91,6 +91,35 @@ std::optional<double> unit_said(const std::string& file, const ReadOptions& opti
   return std::nullopt;
 }
 
+Frames frames_of(const Lines& lines, std::size_t begin, char separator,
+                 const std::vector<std::size_t>& first, double unit) {
+  const std::size_t before = lines.findings.size();
+  Frames frames;
+  for (std::size_t l = begin; l < lines.lines.size(); ++l) {
+    const auto cells = cells_of(lines.lines[l], separator);
+    const bool blank = std::all_of(cells.begin(), cells.end(),
+                                   [](const Cell& c) { return c.text.empty(); });
+    if (blank) continue;
+    const auto value = [&](std::size_t c) {
+      if (c >= cells.size()) return std::nan("");  // cut off: not seen
+      const auto number = number_of(cells[c].text);
+      if (!number)
+        lines.error(l, cells[c].column,
+                    "'" + std::string(cells[c].text) + "' isn't a number");
+      return number.value_or(0);
+    };
+    const double when = value(1);
+    if (std::isnan(when)) lines.error(l, 1, "has no time");
+    frames.line.push_back(l);
+    frames.time.push_back(when);
+    for (const std::size_t at : first)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        frames.values.push_back(value(at + axis) * unit);
+    if (lines.findings.size() > before + 20) break;
+  }
+  return frames;
+}
+
 std::optional<Recording> evenly_spaced(const Lines& lines,
                                        const std::vector<std::string>& names,
                                        const Frames& frames, double period) {

@@ -44,6 +44,15 @@ struct Frames {
   std::vector<double> values;     ///< three a track, metres, frame after frame
 };
 
+/// A line a frame, of its number, its time in seconds and the columns of the tracks;
+/// cells that are cut off at a line's end are gaps. Gives up after some twenty
+/// findings.
+/// @param begin the first frame's line
+/// @param first column of each track's x, beside which y and z stand
+/// @param unit metres in one of the file's
+[[nodiscard]] Frames frames_of(const Lines& lines, std::size_t begin, char separator,
+                               const std::vector<std::size_t>& first, double unit);
+
 /// Evenly spaced frames: the period is the times' median step, and what is missing in
 /// between becomes a gap.
 /// @param period that the file says, else 0

@@ -1,7 +1,6 @@
 // CSV as OptiTrack's Motive exports it: a line of facts, a head of five or six lines
 // (type, name, ID, parent, kind, axis), then frame, time and the columns of each body.
 #include <algorithm>
-#include <cmath>
 
 #include "recordings/lines.h"
 
@@ -55,27 +54,7 @@ std::optional<Recording> read_motive(const Lines& lines) {
     return std::nullopt;
   }
 
-  Frames frames;
-  for (std::size_t l = axes_line + 1; l < lines.lines.size(); ++l) {
-    if (lines.lines[l].empty()) continue;
-    const auto cells = cells_of(lines.lines[l], ',');
-    const auto value = [&](std::size_t c) {
-      if (c >= cells.size()) return std::nan("");  // empty at the end: not seen
-      const auto number = number_of(cells[c].text);
-      if (!number)
-        lines.error(l, cells[c].column,
-                    "'" + std::string(cells[c].text) + "' isn't a number");
-      return number.value_or(0);
-    };
-    const double when = value(1);
-    if (std::isnan(when)) lines.error(l, 1, "has no time");
-    frames.line.push_back(l);
-    frames.time.push_back(when);
-    for (const std::size_t at : first)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        frames.values.push_back(value(at + axis) * *unit);
-    if (lines.findings.size() > before + 20) break;
-  }
+  const Frames frames = frames_of(lines, axes_line + 1, ',', first, *unit);
   if (lines.findings.size() > before) return std::nullopt;
   return evenly_spaced(lines, distinct(names), frames, 1 / rate);
 }

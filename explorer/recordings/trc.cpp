@@ -1,7 +1,6 @@
 // Track Row Column, of Motion Analysis and OpenSim: five lines of head, then frame
 // number, time and x, y, z of each marker, with tabs or commas.
 #include <algorithm>
-#include <cmath>
 
 #include "recordings/lines.h"
 
@@ -44,29 +43,7 @@ std::optional<Recording> read_trc(const Lines& lines) {
   if (names.empty()) lines.error(3, 1, "names no marker");
   if (lines.findings.size() > before) return std::nullopt;
 
-  Frames frames;
-  for (std::size_t l = kHead; l < lines.lines.size(); ++l) {
-    const auto cells = cells_of(lines.lines[l], separator);
-    const bool blank = std::all_of(cells.begin(), cells.end(),
-                                   [](const Cell& c) { return c.text.empty(); });
-    if (blank) continue;
-    const auto value = [&](std::size_t c) {
-      if (c >= cells.size()) return std::nan("");  // cut off: not seen
-      const auto number = number_of(cells[c].text);
-      if (!number)
-        lines.error(l, cells[c].column,
-                    "'" + std::string(cells[c].text) + "' isn't a number");
-      return number.value_or(0);
-    };
-    const double when = value(1);
-    if (std::isnan(when)) lines.error(l, 1, "has no time");
-    frames.line.push_back(l);
-    frames.time.push_back(when);
-    for (const std::size_t at : first)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        frames.values.push_back(value(at + axis) * *unit);
-    if (lines.findings.size() > before + 20) break;
-  }
+  const Frames frames = frames_of(lines, kHead, separator, first, *unit);
   if (lines.findings.size() > before) return std::nullopt;
   for (std::size_t i = 0; i < std::min(keys.size(), facts.size()); ++i) {
     if (keys[i].text != "NumFrames") continue;

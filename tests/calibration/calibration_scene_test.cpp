@@ -8,6 +8,7 @@
 #include "delos/scene/definition.h"
 #include "delos/steady/metric_slopes.h"
 #include "scenes.h"
+#include "support/heap_count.h"
 
 namespace delos {
 namespace {
@@ -189,6 +190,25 @@ TEST(ErrorParts, OfTheShippedAnchors) {
               1e-9);
   EXPECT_NEAR(mean({{"devices.*.rate", "200 Hz"}}), 0.0962, 1e-4);
   EXPECT_NEAR(mean({{"devices.*.rate", "200 Hz"}, {"error", "bias"}}), bias, 1e-9);
+}
+
+// Ten times the samples take nothing more from the heap but room for themselves.
+TEST(ErrorParts, TakeNothingFromTheHeapInTheirLoop) {
+  const Scene scene = scene_of(two_cameras(kAll));
+  const System system = build_system(scene, test::plugins());
+  const Metric metric = std::get<Metric>(parse_metric("trace", system.motion.layout));
+  const auto taken = [&](int count) {
+    const Samples samples = make_samples(
+        {{"",
+          PointSampling{"", std::vector<Eigen::Vector3d>(
+                                static_cast<std::size_t>(count), {0.1, 0.2, 0.3})}}});
+    return test::allocations([&] {
+      (void)evaluate_field(system, samples, scene.orientations, metric, {.threads = 1});
+    });
+  };
+  const std::size_t once = taken(256);
+  EXPECT_GT(once, 0u);
+  EXPECT_LE(taken(2560), once + 10);
 }
 
 TEST(ErrorParts, HaveNoSlopes) {

@@ -1,35 +1,12 @@
 // Scenes whose devices say how well they are known.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <string>
-#include <vector>
 
-#include "delos/scene/io.h"
 #include "session/loaded_scene.h"
+#include "support/scene_text.h"
 
 namespace delos::test {
-
-inline PluginRegistry& plugins() {
-  static PluginRegistry registry({DELOS_PLUGINS});
-  return registry;
-}
-
-inline std::vector<std::string> findings_of(const std::string& text) {
-  Diagnostics diagnostics;
-  (void)parse_scene(text, "s.yaml", {}, plugins(), diagnostics);
-  std::vector<std::string> out;
-  for (const Diagnostic& d : diagnostics) out.push_back(to_string(d));
-  return out;
-}
-
-inline Scene scene_of(const std::string& text) {
-  Diagnostics diagnostics;
-  auto scene = parse_scene(text, "s.yaml", {}, plugins(), diagnostics);
-  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << to_string(d);
-  return scene.value_or(Scene{});
-}
 
 inline System system_of(const std::string& text) {
   return build_system(scene_of(text), plugins());

@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "delos/scene/io.h"
 #include "session/loaded_scene.h"
+#include "support/scene_text.h"
 
 namespace delos::test {
-
-inline PluginRegistry& plugins() {
-  static PluginRegistry registry({DELOS_PLUGINS});
-  return registry;
-}
 
 /// Two cameras a metre away at right angles, of whose rows |h| is 1 px/m.
 /// @param keys of each device, such as "rate: 50 Hz"
@@ -34,22 +29,6 @@ inline std::string two_cameras(const std::string& keys, const std::string& more 
          "}\n"
          "  - {name: b, at: [-1, 0, 0], aim: [0, 0, 0], " +
          device + "}\n";
-}
-
-/// What is said of a scene, as it is shown.
-inline std::vector<std::string> findings_of(const std::string& text) {
-  Diagnostics diagnostics;
-  (void)parse_scene(text, "s.yaml", {}, plugins(), diagnostics);
-  std::vector<std::string> out;
-  for (const Diagnostic& d : diagnostics) out.push_back(to_string(d));
-  return out;
-}
-
-inline Scene scene_of(const std::string& text) {
-  Diagnostics diagnostics;
-  auto scene = parse_scene(text, "s.yaml", {}, plugins(), diagnostics);
-  for (const Diagnostic& d : diagnostics) ADD_FAILURE() << to_string(d);
-  return scene.value_or(Scene{});
 }
 
 /// A scene ready to be asked about. @param metric of its states

@@ -1,5 +1,7 @@
 #include "observe/calibration.h"
 
+#include <string>
+
 #include "observe/answers.h"
 
 namespace delos {
@@ -59,7 +61,7 @@ void fill_errors(const PlacedDevice& placed, const ErrorColumns& columns, bool t
   const Calibration& known = placed.calibration;
   const Observation& seen = scratch.measure.observation;
   const Target& target = scratch.measure.target;
-  Eigen::MatrixXd& J = scratch.J;
+  auto& J = scratch.J;
   J.setZero(seen.z.size(), columns.size);
   for (Eigen::Index r = 0; r < J.rows(); ++r) {
     if (columns.place < 0 && columns.orientation < 0) break;
@@ -146,8 +148,8 @@ void add_beacons(const System& system, const PlacedDevice& placed,
   const int turns = system.motion.layout.positions();
   const Pose X_WS = X_WT * placed.carried()->X_TS;
   const Eigen::Vector3d arm = X_WS.p - X_WT.p;
-  Eigen::RowVectorXd& j = scratch.j;
-  j.setZero(columns.size);
+  scratch.J.setZero(1, columns.size);
+  auto j = scratch.J.row(0);
   each_used_row(
       scratch.measure.beacons.see(system, placed, X_WT),
       [&](const BeaconSighting& s, const SightingRow& r) {
@@ -180,6 +182,9 @@ void find_calibration(const System& system, const PlacedDevice& placed,
   scratch.G.resize(c, 0);
   const auto begin = [&](Eigen::Index rows) {
     const ErrorColumns columns(placed, static_cast<int>(rows));
+    if (columns.size > kMaxErrors)
+      blame(placed,
+            "has more than " + std::to_string(kMaxErrors) + " errors of calibration");
     if (scratch.G.cols() != columns.size) scratch.G.setZero(c, columns.size);
     return columns;
   };

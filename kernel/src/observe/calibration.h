@@ -12,14 +12,20 @@ namespace delos {
 /// alike, as plain least squares does.
 enum class RowWeights { information, plain };
 
-/// What is reused from one pose to the next, so that no loop allocates.
+/// Most errors of one device: of its place, how it is turned and each of its readings,
+/// and as many of its parameters as are left.
+inline constexpr int kMaxErrors = 64;
+
+/// What is reused from one pose to the next; stored inline, so that no loop allocates.
 struct CalibrationScratch {
+  template <int rows>
+  using ErrorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic,
+                                    Eigen::ColMajor, rows, kMaxErrors>;
   MeasureScratch measure;
-  Observation beside;     ///< of a device whose parameter is a little off
-  Eigen::MatrixXd G;      ///< c×k
-  Eigen::MatrixXd J;      ///< m×k
-  Eigen::RowVectorXd j;   ///< 1×k
-  StateMatrix of_device;  ///< c×c
+  Observation beside;        ///< of a device whose parameter is a little off
+  ErrorMatrix<kMaxState> G;  ///< c×k
+  ErrorMatrix<kMaxRows> J;   ///< m×k
+  StateMatrix of_device;     ///< c×c
 };
 
 /// G C Gᵀ of one device at one pose, where its readings are off by J c, c ~ N(0, C),
