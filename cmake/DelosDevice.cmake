@@ -18,7 +18,8 @@ function(delos_add_device id)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/delos)
   target_link_options(delos_device_${id} PRIVATE LINKER:--no-undefined)
-  install(TARGETS delos_device_${id} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/delos)
+  install(TARGETS delos_device_${id} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/delos
+    COMPONENT runtime)
   set_property(GLOBAL APPEND PROPERTY DELOS_DEVICES ${id})
 endfunction()
 

@@ -6,6 +6,7 @@
 
 #include "delos/text/units.h"
 #include "progress.h"
+#include "session/named.h"
 
 namespace delos::cli {
 
@@ -31,8 +32,6 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_flag("--json", options.json, "One JSON document on stdout, nothing else");
 }
 
-namespace {
-
 std::vector<Override> overrides_of(const SceneOptions& options) {
   std::vector<Override> overrides;
   for (const std::string& text : options.set) {
@@ -51,8 +50,6 @@ std::vector<Override> overrides_of(const SceneOptions& options) {
   }
   return overrides;
 }
-
-}  // namespace
 
 std::optional<LoadedScene> load(const std::filesystem::path& file,
                                 const SceneOptions& options, PluginRegistry& plugins,
@@ -76,15 +73,6 @@ LoadedScene load(const std::filesystem::path& file, const SceneOptions& options,
   return std::move(*loaded);
 }
 
-Solver solver_named(const std::string& name) {
-  for (const Solver s :
-       {Solver::automatic, Solver::spectral, Solver::doubling, Solver::eigenvector}) {
-    if (name == to_string(s)) return s;
-  }
-  throw Failure{kUsage, "--solver '" + name +
-                            "': choose auto, spectral, doubling or eigenvector"};
-}
-
 Failure unsolvable(const SceneOptions& options, const std::invalid_argument& error) {
   const auto* unsuitable = dynamic_cast<const UnsuitableSolver*>(&error);
   if (unsuitable)
@@ -96,7 +84,7 @@ Failure unsolvable(const SceneOptions& options, const std::invalid_argument& err
 FieldOptions field_options(const SceneOptions& options, const Interrupt& interrupt,
                            Progress& progress) {
   FieldOptions all;
-  all.solver = solver_named(options.solver);
+  all.solver = session::solver_named(options.solver);
   all.threads = options.threads;
   all.cancel = &interrupt.requested();
   all.progress = [&progress](std::size_t done, std::size_t of) {

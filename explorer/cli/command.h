@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "delos/field/evaluate.h"
-#include "delos/plugin/registry.h"
-#include "delos/simulation/filter.h"
 #include "interrupt.h"
 #include "progress.h"
 #include "session/loaded_scene.h"
+#include "session/scene_field.h"
 
 namespace delos::cli {
 
@@ -42,6 +40,10 @@ struct SceneOptions {
 };
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
+/// What these options change of a scene.
+/// @throws Failure kUsage
+[[nodiscard]] std::vector<Override> overrides_of(const SceneOptions& options);
+
 using session::LoadedScene;
 
 /// Load, override and build; findings are appended, warnings too.
@@ -57,9 +59,6 @@ using session::LoadedScene;
 [[nodiscard]] LoadedScene load(const std::filesystem::path& file,
                                const SceneOptions& options, PluginRegistry& plugins);
 
-/// @throws Failure kUsage
-[[nodiscard]] Solver solver_named(const std::string& name);
-
 /// What a system that the solver can't do ends with: the scene's fault, or that of a
 /// forced
 /// --solver.
@@ -68,7 +67,7 @@ using session::LoadedScene;
 
 /// How fields are evaluated by these options.
 /// @param interrupt, progress kept by reference
-/// @throws Failure kUsage
+/// @throws session::Refusal no such solver
 [[nodiscard]] FieldOptions field_options(const SceneOptions& options,
                                          const Interrupt& interrupt,
                                          Progress& progress);
@@ -85,6 +84,7 @@ using session::LoadedScene;
                                             const char* option);
 
 void add_field_command(CLI::App& program, int& exit_code);
+void add_show_command(CLI::App& program, int& exit_code);
 void add_point_command(CLI::App& program, int& exit_code);
 void add_compare_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
@@ -107,8 +107,7 @@ void add_shutter_command(CLI::App& program, int& exit_code);
 void add_explore_command(CLI::App& program, int& exit_code);
 void add_simulate_command(CLI::App& program, int& exit_code);
 void add_compare_measured_command(CLI::App& program, int& exit_code);
-
-/// @throws Failure kUsage
-[[nodiscard]] FilterKind filter_named(const std::string& name);
+void add_merge_command(CLI::App& program, int& exit_code);
+void add_manual_command(CLI::App& program, int& exit_code);
 
 }  // namespace delos::cli

@@ -1,9 +1,7 @@
 // delos compare: scenes side by side on the samples of the first.
 #include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,20 +9,21 @@
 #include <vector>
 
 #include "command.h"
-#include "delos/model/metric_expression.h"
-#include "delos/observe/beacon_use.h"
-#include "delos/output/write.h"
-#include "delos/sampling/samples.h"
-#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "evaluation.h"
 #include "json.h"
+#include "session/comparison.h"
+#include "session/stored_field.h"
+#include "session/written_field.h"
 #include "specs.h"
 #include "summary.h"
 
 namespace delos::cli {
 namespace {
+
+using session::ComparedSide;
+using session::ComparisonAnswer;
 
 struct CompareCommand {
   SceneOptions options;
@@ -60,15 +59,6 @@ Side side_of(const std::string& text) {
   return {parts.front(), {parts.begin() + 1, parts.end()}};
 }
 
-/// What one scene of the comparison shows, in a row of the table.
-struct Row {
-  Field field;
-  FieldStatistics statistics;
-  std::optional<double> better;  ///< the part of the samples that is better than asked
-  std::vector<MetSpec> specs;
-  std::optional<BeaconUse> use;  ///< where devices on the target see beacons
-};
-
 /// "field.png" for the second scene, "field-3.png" for the third, …
 std::filesystem::path numbered(const std::filesystem::path& file, std::size_t scene) {
   if (scene == 1) return file;
@@ -76,42 +66,26 @@ std::filesystem::path numbered(const std::filesystem::path& file, std::size_t sc
                                file.extension().string());
 }
 
-/// Numbers over the volume where the samples are adaptive, and the difference at the
-/// samples.
-Comparison compared(const Field& first, const Field& second) {
-  Comparison c = compare_fields(first, second);
-  if (!first.spread) return c;
-  Comparison by_volume = compare_fields(*first.spread, *second.spread);
-  by_volume.difference = std::move(c.difference);
-  return by_volume;
-}
-
-Json to_json(const Comparison& c) {
-  return {{"mean", number(c.mean)},
-          {"min", number(c.min)},
-          {"max", number(c.max)},
-          {"improved_fraction", number(c.improved_fraction)},
-          {"common", c.common}};
-}
-
 /// A cell of a specification's column, which is as wide as what it says.
 std::string spec_cell(const MetSpec& met, const std::string& text) {
   return cell(text, std::max<std::size_t>(met.spec.text.size(), 8) + 3);
 }
 
-void print_rows(std::ostream& out, const std::vector<Row>& rows, double limit) {
+void print_rows(std::ostream& out, const std::vector<ComparedSide>& rows,
+                double limit) {
   const std::string& unit = rows.front().field.unit;
   const auto value = [&](double v) { return cell(format_quantity(v, unit), 11); };
   const bool better = rows.front().better.has_value();
-  const bool beacons = std::any_of(rows.begin(), rows.end(),
-                                   [](const Row& r) { return r.use.has_value(); });
+  const bool beacons = std::any_of(rows.begin(), rows.end(), [](const ComparedSide& r) {
+    return r.use.has_value();
+  });
   out << cell("best", 11) << cell("median", 11) << cell("95 %", 11)
       << cell("worst", 11);
   if (better) out << cell("better than " + format_quantity(limit, unit), 22);
   for (const MetSpec& met : rows.front().specs) out << spec_cell(met, met.spec.text);
   if (beacons) out << cell("beacons", 9) << cell("views", 7);
   out << "observable  scene\n";
-  for (const Row& row : rows) {
+  for (const ComparedSide& row : rows) {
     const FieldStatistics& s = row.statistics;
     for (const double v : {s.best().value, s.median, s.p95, s.worst().value}) {
       out << (s.finite > 0 ? value(v) : cell("none", 11));
@@ -127,26 +101,21 @@ void print_rows(std::ostream& out, const std::vector<Row>& rows, double limit) {
   }
 }
 
-bool evaluated_alike(const std::vector<Row>& rows) {
-  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
-    return alike(row.field.definition, rows.front().field.definition);
-  });
-}
-
 /// Of what covariance the values are: the same for all sides, or else a warning.
-void print_definition(std::ostream& out, const std::vector<Row>& rows) {
-  if (evaluated_alike(rows)) {
+void print_definition(std::ostream& out, const ComparisonAnswer& answer) {
+  const std::vector<ComparedSide>& rows = answer.sides;
+  if (evaluated_alike(answer)) {
     out << "of the " << to_string(rows.front().field.definition) << ", for all\n";
     return;
   }
   out << "NOT ALIKE: differences are of what is computed, too\n";
-  for (const Row& row : rows)
+  for (const ComparedSide& row : rows)
     out << "  " << row.field.scene << ": " << to_string(row.field.definition) << "\n";
   out << "  choose one for all with --fusion and --covariance\n";
 }
 
-void print(std::ostream& out, const std::vector<Row>& rows,
-           const std::vector<Comparison>& comparisons, double limit) {
+void print(std::ostream& out, const ComparisonAnswer& answer, double limit) {
+  const std::vector<ComparedSide>& rows = answer.sides;
   const std::string& unit = rows.front().field.unit;
   const auto value = [&](double v) { return format_quantity(v, unit) + " "; };
   out << rows.front().field.metric << " over " << rows.front().statistics.samples
@@ -155,10 +124,10 @@ void print(std::ostream& out, const std::vector<Row>& rows,
     out << "; " << inside << " inside solids left out";
   }
   out << "\n";
-  print_definition(out, rows);
+  print_definition(out, answer);
   print_rows(out, rows, limit);
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    const Comparison& c = comparisons[i];
+  for (std::size_t i = 0; i < answer.differences.size(); ++i) {
+    const Comparison& c = answer.differences[i];
     out << rows[i + 1].field.scene << " against the first: better at "
         << std::setprecision(3) << 100 * c.improved_fraction << " % of the samples";
     if (c.common > 0) {
@@ -167,18 +136,6 @@ void print(std::ostream& out, const std::vector<Row>& rows,
     }
     out << "\n";
   }
-}
-
-Json to_json(const Row& row) {
-  Json json = Json::parse(field_json(row.field));
-  if (row.better) json["better_than"] = number(*row.better);
-  if (!row.specs.empty()) json["specs"] = specs_json(row.specs);
-  if (row.use) {
-    json["beacons_used"] = number(row.use->beacons);
-    json["views_used"] = number(row.use->views);
-    json["sightings_used"] = number(row.use->sightings);
-  }
-  return json;
 }
 
 /// What --better-than asks for, if anything.
@@ -197,16 +154,6 @@ bool sets_fusion(const Side& side) {
   return std::any_of(side.set.begin(), side.set.end(), [](const std::string& change) {
     return change.starts_with("fusion=");
   });
-}
-
-/// Give all sides one fusion, unless they demand different ones.
-void evaluate_alike(std::vector<LoadedScene>& sides) {
-  std::vector<const Scene*> scenes;
-  for (const LoadedScene& side : sides) scenes.push_back(&side.scene);
-  const auto fusion = common_fusion(scenes);
-  if (!fusion) return;
-  for (LoadedScene& side : sides)
-    if (side.system.covariance != CovarianceKind::single) side.system.fusion = *fusion;
 }
 
 /// Scenes of one name, a design and its optimum, are told apart by their files.
@@ -249,115 +196,109 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
     }
   }
   name_apart(command.scenes, scenes);
-  if (!asked) evaluate_alike(scenes);
-  const Metric& metric = scenes.front().metric;
-  for (std::size_t i = 1; i < scenes.size(); ++i) {
-    if (same_metric(scenes[i].metric, metric)) continue;
-    if (scenes[i].metric.name == metric.name && scenes[i].metric.unit == metric.unit)
-      throw Failure{kUsage, command.scenes[i] + " and " + command.scenes.front() +
-                                " mean different things by " + metric.name +
-                                "; give them one, or choose another --metric"};
-    throw Failure{kUsage, command.scenes[i] + " shows " + scenes[i].metric.name +
-                              " and " + command.scenes.front() + " shows " +
-                              metric.name + "; choose one for all with --metric"};
-  }
+  if (!asked) session::evaluate_alike(scenes);
+  if (const auto no = session::incomparable(scenes))
+    throw Failure{kUsage, command.scenes[no->side] + " and " + command.scenes.front() +
+                              ' ' + no->problem};
   return scenes;
 }
 
-Row row_of(Field field, const LoadedScene& loaded, const std::optional<Spec>& better,
-           const CompareCommand& command, const Interrupt& interrupt) {
-  const SceneOptions& options = command.options;
-  Row row{std::move(field), {}, std::nullopt, {}, std::nullopt};
-  row.statistics = summarize(row.field);
-  if (better) row.better = share_meeting(row.field, *better).share;
-  row.specs =
-      met_specs(specs_of(command.specs, loaded), loaded, row.field, options, interrupt);
-  const auto& devices = loaded.system.devices;
-  if (std::any_of(devices.begin(), devices.end(),
-                  [](const PlacedDevice& d) { return d.sees_beacons(); })) {
-    row.use = beacon_use(loaded.system,
-                         field_poses(row.field.samples, loaded.scene.orientations),
-                         options.threads);
+ComparisonAnswer compared(const std::vector<LoadedScene>& scenes,
+                          const session::ComparisonQuestion& question,
+                          const SceneOptions& options, const Interrupt& interrupt) {
+  Progress progress(scenes.front().scene.name);
+  try {
+    return session::compare_scenes(scenes, question,
+                                   field_options(options, interrupt, progress));
+  } catch (const std::invalid_argument& error) {
+    throw unsolvable(options, error);
   }
-  return row;
 }
 
-int run(const CompareCommand& command) {
-  PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
-  const std::vector<LoadedScene> scenes = load_sides(command, plugins);
-  const Metric& metric = scenes.front().metric;
-  const std::optional<Spec> better = better_spec(command, metric);
-  const double limit = better ? better->limit : 0;
-  for (const LoadedScene& scene : scenes) (void)specs_of(command.specs, scene);
-  Samples samples = planned_samples(scenes.front().scene);
-  for (const auto& file : command.out) {
-    if (const std::string problem = writable(samples, file); !problem.empty()) {
-      throw Failure{kUsage, problem};
-    }
-  }
-
-  const Interrupt interrupt;
-  std::vector<Row> rows;
-  std::vector<Comparison> comparisons;
-  for (const LoadedScene& scene : scenes) {
-    Field field;
-    if (rows.empty()) {
-      field = evaluate_scene(scene, command.options, interrupt).field;
-      samples = field.samples;
-    } else {
-      field = evaluate(scene, samples, command.options, interrupt);
-      field.weight = rows.front().field.weight;
-      if (const auto& spread = rows.front().field.spread; spread && !field.cancelled) {
-        Field same = evaluate(scene, spread->samples, command.options, interrupt);
-        same.weight = spread->weight;
-        field.cancelled = same.cancelled;
-        field.spread = std::make_shared<const Field>(std::move(same));
-      }
-    }
-    if (field.cancelled) {
-      std::cerr
-          << "delos: stopped; a comparison needs every scene, nothing was written\n";
-      return kCancelled;
-    }
-    rows.push_back(row_of(std::move(field), scene, better, command, interrupt));
-    if (rows.size() == 1) continue;
-    comparisons.push_back(compared(rows.front().field, rows.back().field));
-  }
+void write_differences(ComparisonAnswer& answer,
+                       const std::vector<std::vector<Marker>>& devices,
+                       const std::vector<std::filesystem::path>& files) {
+  const Field& first = answer.sides.front().field;
   PictureOptions picture;
-  picture.larger_is_better = metric.larger_is_better;
+  picture.larger_is_better = first.larger_is_better;
   picture.change = true;
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    picture.devices = markers_of(scenes[i + 1].scene, scenes[i + 1].system);
-    comparisons[i].difference.scene =
-        difference_title(scenes[0].scene.name, scenes[i + 1].scene.name);
-    for (const auto& file : command.out) {
+  for (std::size_t i = 0; i < answer.differences.size(); ++i) {
+    picture.devices = devices[i + 1];
+    Field& difference = answer.differences[i].difference;
+    difference.scene = difference_title(first.scene, answer.sides[i + 1].field.scene);
+    for (const auto& file : files) {
       const std::string problem =
-          write_field(comparisons[i].difference, numbered(file, i + 1), picture);
+          write_field(difference, numbered(file, i + 1), picture);
       if (!problem.empty()) throw Failure{kDiagnostics, problem};
     }
   }
+}
 
+void check_out(const Samples& samples,
+               const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files)
+    if (const std::string problem = writable(samples, file); !problem.empty())
+      throw Failure{kUsage, problem};
+}
+
+int show(const ComparisonAnswer& answer, const CompareCommand& command, double limit) {
   if (!command.options.json) {
-    print(std::cout, rows, comparisons, limit);
+    print(std::cout, answer, limit);
     return kDone;
   }
-  const bool same = evaluated_alike(rows);
-  const Definition& definition = rows.front().field.definition;
-  Json json;
-  json["fusion"] = same ? Json(to_string(definition.fusion)) : Json();
-  json["covariance"] = same ? Json(to_string(definition.covariance)) : Json();
-  if (!same)
+  if (!evaluated_alike(answer))
     std::cerr << "delos: warning: the scenes are evaluated differently; choose one for "
                  "all with --fusion and --covariance\n";
-  json["scenes"] = Json::array();
-  for (const Row& row : rows) json["scenes"].push_back(to_json(row));
-  json["difference"] = to_json(comparisons.front());
-  if (comparisons.size() > 1) {
-    json["differences"] = Json::array();
-    for (const Comparison& c : comparisons) json["differences"].push_back(to_json(c));
-  }
-  print_document(json);
+  print_document(session::comparison_json(answer));
   return kDone;
+}
+
+/// Fields that were kept, without computing anything.
+int run_stored(const CompareCommand& command) {
+  if (!command.better_than.empty() || !command.specs.empty() ||
+      !command.options.set.empty())
+    throw Failure{kUsage,
+                  "fields are compared as they are: leave --better-than, --spec and "
+                  "--set out, or compare scenes"};
+  std::vector<Field> fields;
+  std::vector<std::vector<Marker>> devices;
+  for (const std::string& file : command.scenes) {
+    auto read = session::read_field(file);
+    if (const auto* problem = std::get_if<std::string>(&read))
+      throw Failure{kDiagnostics, *problem};
+    auto& stored = std::get<session::StoredField>(read);
+    fields.push_back(std::move(stored.field));
+    devices.push_back(std::move(stored.devices));
+  }
+  check_out(fields.front().samples, command.out);
+  ComparisonAnswer answer = session::compare_stored(std::move(fields));
+  write_differences(answer, devices, command.out);
+  return show(answer, command, 0);
+}
+
+int run(const CompareCommand& command) {
+  if (std::all_of(command.scenes.begin(), command.scenes.end(),
+                  [](const std::string& s) { return session::is_stored_field(s); }))
+    return run_stored(command);
+  PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const std::vector<LoadedScene> scenes = load_sides(command, plugins);
+  const std::optional<Spec> better = better_spec(command, scenes.front().metric);
+  for (const LoadedScene& scene : scenes) (void)asked_specs(command.specs, scene);
+  check_out(planned_samples(scenes.front().scene), command.out);
+
+  const Interrupt interrupt;
+  ComparisonAnswer answer =
+      compared(scenes, {better, command.specs}, command.options, interrupt);
+  if (answer.cancelled) {
+    std::cerr
+        << "delos: stopped; a comparison needs every scene, nothing was written\n";
+    return kCancelled;
+  }
+  std::vector<std::vector<Marker>> devices;
+  for (const LoadedScene& scene : scenes)
+    devices.push_back(markers_of(scene.scene, scene.system));
+  write_differences(answer, devices, command.out);
+  return show(answer, command, better ? better->limit : 0);
 }
 
 }  // namespace
@@ -382,6 +323,9 @@ void add_compare_command(CLI::App& program, int& exit_code) {
   app->footer(
       "Examples:\n"
       "  delos compare scenes/02-eight-cameras.yaml scenes/03-hybrid.yaml --json\n"
+      "  delos compare before.field after.field --out change.png    as field --out "
+      "kept "
+      "them\n"
       "  delos compare scenes/hiball/six-lepd.yaml scenes/hiball/four-lepd.yaml \\\n"
       "    scenes/hiball/six-lepd.yaml+beacons.ceiling.pattern=half --better-than "
       "0.25mm");

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "command.h"
-#include "delos/output/write.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
@@ -16,6 +15,8 @@
 #include "measured/windows.h"
 #include "recordings/recording.h"
 #include "session/measured_json.h"
+#include "session/named.h"
+#include "session/written_field.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -229,10 +230,10 @@ int compare_read(const MeasuredCommand& command, const LoadedScene& loaded) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : samples.points)
     middle += p / static_cast<double>(samples.points.size());
-  const auto answer =
-      measured::compare_readings(loaded.system, middle, orientation_of(loaded.scene),
-                                 *readings, *make_filter(filter_named(command.filter)),
-                                 std::get<double>(skip), command.debias);
+  const auto answer = measured::compare_readings(
+      loaded.system, middle, orientation_of(loaded.scene), *readings,
+      *make_filter(session::filter_named(command.filter)), std::get<double>(skip),
+      command.debias);
   if (const auto* problem = std::get_if<std::string>(&answer))
     throw Failure{kDiagnostics, *problem};
   const auto& compared = std::get<ReadingsComparison>(answer);

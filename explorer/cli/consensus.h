@@ -1,31 +1,12 @@
-// What the best layouts of a study have in common.
+// What the best layouts of a study have in common, for people.
 #pragma once
 
 #include <iosfwd>
 
-#include "delos/optimize/layout.h"
-#include "delos/optimize/study.h"
-#include "json.h"
+#include "session/consensus_answer.h"
 
 namespace delos::cli {
 
-/// The best design of every start of a round.
-/// @param round −1: the last one
-[[nodiscard]] std::vector<RankedDesign> best_of_starts(const Study& study, int round);
-
-/// Where the best layouts agree, and what they are worth.
-struct StudyConsensus {
-  Scene scene;         ///< of the round
-  std::size_t starts;  ///< that have a design which keeps all constraints
-  Consensus consensus;
-};
-
-/// @throws std::invalid_argument no start has such a design yet
-[[nodiscard]] StudyConsensus study_consensus(const Study& study,
-                                             PluginRegistry& plugins, int round,
-                                             std::size_t most);
-
-[[nodiscard]] Json consensus_json(const StudyConsensus& found);
-void print_consensus(std::ostream& out, const StudyConsensus& found);
+void print_consensus(std::ostream& out, const session::StudyConsensus& found);
 
 }  // namespace delos::cli

@@ -8,9 +8,8 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/output/write.h"
-#include "delos/sampling/samples.h"
 #include "session/shipped_scenes.h"
+#include "session/written_field.h"
 #include "summary.h"
 
 namespace delos::cli {

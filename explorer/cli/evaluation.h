@@ -2,31 +2,15 @@
 #pragma once
 
 #include "command.h"
-#include "delos/output/write.h"
-#include "session/scene_field.h"
+#include "session/written_field.h"
 
 namespace delos::cli {
 
+using session::drawable;
 using session::Evaluation;
-
-/// The samples that a scene will have; of adaptive ones, an octree without nodes.
-[[nodiscard]] Samples planned_samples(const Scene& scene);
-
-/// Where a level plane misses all that is sampled, from where to where that reaches;
-/// else empty.
-[[nodiscard]] std::string missed_by_slice(const Scene& scene, const Samples& samples,
-                                          double z);
-
-/// Of an adaptive scene, three level planes to draw it on; else none.
-[[nodiscard]] std::vector<Samples> level_planes(const Scene& scene);
-
-/// Whether a file to be written is a scene, by its name.
-[[nodiscard]] bool is_scene(const std::filesystem::path& file);
-
-/// Why `file` can't show these samples; empty where it can. As writable(), but that
-/// octrees are drawn too.
-[[nodiscard]] std::string drawable(const Scene& scene, const Samples& samples,
-                                   const std::filesystem::path& file);
+using session::is_scene;
+using session::planned_samples;
+using session::write_evaluation;
 
 /// Evaluate a scene on its own samples, with progress on stderr and a clean end at
 /// Ctrl-C.
@@ -34,16 +18,5 @@ using session::Evaluation;
 [[nodiscard]] Evaluation evaluate_scene(const LoadedScene& loaded,
                                         const SceneOptions& options,
                                         const Interrupt& interrupt);
-
-/// Write a field as write_field() does; a picture of an octree is read on a plane.
-/// @returns empty, or why it was not written
-[[nodiscard]] std::string write_evaluation(const Evaluation& evaluation,
-                                           const Scene& scene,
-                                           const std::filesystem::path& file,
-                                           const PictureOptions& picture);
-
-/// What a picture shows: the field itself, or an octree read on a level plane.
-[[nodiscard]] Field picture_field(const Evaluation& evaluation, const Scene& scene,
-                                  const PictureOptions& picture);
 
 }  // namespace delos::cli

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/output/write.h"
 #include "delos/text/words.h"
 #include "imports/camera_export.h"
+#include "session/written_field.h"
 
 namespace delos::cli {
 namespace {

@@ -4,15 +4,14 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/field/verify.h"
-#include "delos/output/write.h"
-#include "delos/sampling/samples.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "evaluation.h"
 #include "json.h"
 #include "motions.h"
 #include "session/motion_fields.h"
+#include "session/scene_field.h"
+#include "session/written_field.h"
 #include "specs.h"
 #include "summary.h"
 #include "warnings.h"
@@ -45,17 +44,6 @@ Verification verify(const LoadedScene& loaded, const SceneOptions& options,
                   "each axis, or an adaptive volume"};
   }
   return v;
-}
-
-Json to_json(const Verification& v) {
-  Json resolutions = Json::array();
-  for (const Resolution& r : v.resolutions) {
-    resolutions.push_back({{"spacing", number(r.spacing)},
-                           {"evaluations", r.evaluations},
-                           {"error", number(r.error)}});
-  }
-  return {{"resolutions", resolutions},
-          {"orders", {number(v.first_order), number(v.second_order)}}};
 }
 
 void print(std::ostream& out, const Verification& v, const std::string& unit) {
@@ -121,7 +109,7 @@ int run(const FieldCommand& command) {
     of_one.motion.clear();
     return run(of_one);
   }
-  const std::vector<Spec> specs = specs_of(command.specs, loaded);
+  const std::vector<Spec> specs = asked_specs(command.specs, loaded);
   const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
   const Samples samples = planned_samples(loaded.scene);
   for (const auto& file : command.out) {
@@ -142,7 +130,7 @@ int run(const FieldCommand& command) {
     picture.slice_z = std::get<double>(z);
     picture.has_slice = true;
     if (const std::string miss =
-            missed_by_slice(loaded.scene, samples, picture.slice_z);
+            session::missed_by_slice(loaded.scene, samples, picture.slice_z);
         !miss.empty())
       throw Failure{kUsage, "--slice '" + command.slice + "': " + miss};
   }
@@ -165,7 +153,7 @@ int run(const FieldCommand& command) {
     Json json = session::field_answer(loaded, field);
     if (!warnings.empty()) json["warnings"] = diagnostics_json(warnings);
     if (!met.empty()) json["specs"] = specs_json(met);
-    if (command.verify) json["verification"] = to_json(verification);
+    if (command.verify) json["verification"] = session::verification_json(verification);
     print_document(json);
   } else {
     print_summary(std::cout, loaded, field);
@@ -194,7 +182,8 @@ void add_field_command(CLI::App& program, int& exit_code) {
   app->add_option("scene", command->scene, "Scene file")->required();
   add_scene_options(*app, command->options);
   app->add_option("--out", command->out,
-                  "Write .vti, .vtu, .vtp, .csv, .json or .png; repeatable")
+                  "Write .vti, .vtu, .vtp, .csv, .json or .png, or .field to keep "
+                  "it for delos show; repeatable")
       ->allow_extra_args(false);
   add_spec_option(*app, command->specs);
   app->add_option("--slice", command->slice,

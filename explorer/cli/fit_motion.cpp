@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/output/write.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
@@ -14,6 +13,7 @@
 #include "quantity.h"
 #include "report/chart.h"
 #include "session/motion_json.h"
+#include "session/written_field.h"
 #include "summary.h"
 
 namespace delos::cli {

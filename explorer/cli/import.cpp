@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "command.h"
-#include "delos/device/camera_model.h"
-#include "delos/output/write.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
+#include "imports/opening.h"
 #include "report/rig_figure.h"
+#include "session/written_field.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -63,18 +63,6 @@ ImportOptions import_options(const ImportCommand& command) {
   return options;
 }
 
-/// "43.1 x 33 deg" of a camera's image.
-std::string view_text(const PlacedDevice& device) {
-  if (device.type != "camera") return device.type;
-  const CameraModel lens(device.params);
-  const auto angle = [](double pixels, double f) {
-    return format_quantity(2 * std::atan(pixels / 2 / f), "rad");
-  };
-  if (lens.fisheye()) return "fisheye";
-  return angle(lens.width(), lens.f_across()) + " x " +
-         angle(lens.height(), lens.f_down());
-}
-
 void print_found(const Rig& rig, const ImportCommand& command,
                  const LoadedScene& loaded) {
   std::cout << command.file.filename().string() << ": " << rig.kind << ", "
@@ -90,8 +78,8 @@ void print_found(const Rig& rig, const ImportCommand& command,
       break;
     }
     std::cout << "  " << cell(device.name, 20) << cell(coordinates(device.X_WS().p), 26)
-              << cell(coordinates(device.X_WS().R.col(2), 2), 24) << view_text(device)
-              << "\n";
+              << cell(coordinates(device.X_WS().R.col(2), 2), 24)
+              << imports::opening_text(device) << "\n";
   }
   for (const imports::RigVariable& v : rig.variables)
     std::cout << "  variable " << v.path

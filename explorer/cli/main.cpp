@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "command.h"
-#include "delos/device/faults.h"
+#include "session/refusal.h"
 
 namespace delos::cli {
 namespace {
@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
 
   int exit_code = kDone;
   add_field_command(program, exit_code);
+  add_show_command(program, exit_code);
   add_point_command(program, exit_code);
   add_compare_command(program, exit_code);
   add_check_command(program, exit_code);
@@ -70,6 +71,8 @@ int run(int argc, char** argv) {
   add_explore_command(program, exit_code);
   add_simulate_command(program, exit_code);
   add_compare_measured_command(program, exit_code);
+  add_merge_command(program, exit_code);
+  add_manual_command(program, exit_code);
   try {
     program.parse(argc, argv);
     return ended(exit_code);
@@ -88,6 +91,9 @@ int run(int argc, char** argv) {
   } catch (const Failure& failure) {
     if (!failure.message.empty()) std::cerr << "delos: " << failure.message << "\n";
     return failure.code;
+  } catch (const session::Refusal& refusal) {
+    std::cerr << "delos: " << refusal.what() << "\n";
+    return refusal.blame() == session::Blame::scene ? kDiagnostics : kUsage;
   } catch (const DeviceFault& fault) {
     std::cerr << "delos: " << fault.what() << "\n";
     return kDiagnostics;

@@ -4,11 +4,11 @@
 #include <iostream>
 #include <memory>
 
-#include "delos/model/motion_words.h"
 #include "delos/text/words.h"
 #include "json.h"
 #include "motion/motion_fit.h"
 #include "quantity.h"
+#include "session/motion_json.h"
 #include "summary.h"
 
 namespace delos::cli {

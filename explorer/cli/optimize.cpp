@@ -1,14 +1,16 @@
 // delos optimize: better values for the variables of a scene.
-#include "delos/optimize/optimize.h"
 
+#include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "command.h"
-#include "delos/optimize/study.h"
-#include "delos/output/write.h"
 #include "evaluation.h"
 #include "search_report.h"
+#include "session/joined_crew.h"
+#include "session/search_answer.h"
+#include "session/study_answer.h"
+#include "session/written_field.h"
 #include "warnings.h"
 
 namespace delos::cli {
@@ -20,6 +22,7 @@ struct OptimizeCommand {
   std::filesystem::path scene;
   std::vector<std::filesystem::path> out, before;
   std::filesystem::path study;
+  std::string shard;
   bool explain = false;
 };
 
@@ -58,22 +61,42 @@ OptimizeResult search(OptimizeCommand& command, const Scene& scene,
                       PluginRegistry& plugins) {
   if (command.study.empty()) return optimize(scene, plugins, command.search);
   const OptimizeOptions& s = command.search;
-  return Study::create(
-             command.study, scene, command.scene.parent_path(),
-             {s.algorithm, s.evaluations, s.starts, s.seed, s.samples, DELOS_VERSION},
-             plugins)
+  return Study::create(command.study, scene, command.scene.parent_path(),
+                       {s.algorithm, s.evaluations, s.starts, s.seed, s.samples,
+                        DELOS_VERSION, s.parts},
+                       plugins)
       .run(command.search);
 }
 
+/// "2/3": the second of three parts.
+SearchPart part_named(const OptimizeCommand& command) {
+  if (command.shard.empty()) return {};
+  std::size_t part = 0, of = 0;
+  char rest = 0;
+  if (std::sscanf(command.shard.c_str(), "%zu/%zu%c", &part, &of, &rest) != 2 ||
+      part < 1 || part > of || of > 10000)
+    throw Failure{kUsage, "--shard '" + command.shard +
+                              "': write PART/PARTS, as 2/3 for the second of three"};
+  if (command.study.empty())
+    throw Failure{kUsage, "--shard needs --study FILE, for delos merge to read"};
+  return {part - 1, of};
+}
+
 int run(OptimizeCommand& command) {
+  command.search.parts = part_named(command);
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const session::JoinedCrew crew(command.options.threads);
+  if (crew.served(plugins)) return kDone;
+  if (crew.get() && !command.shard.empty())
+    throw Failure{kUsage, "--shard and mpirun both divide the starts; use one of them"};
+  command.search.crew = crew.get();
   LoadedScene loaded = load(command.scene, command.options, plugins);
   check_outputs(command, loaded.scene);
   const Diagnostics warnings = print_doubts(command.scene, loaded, plugins);
 
   const Interrupt interrupt;
   SearchLine line(loaded.scene);
-  command.search.threads = command.options.threads;
+  command.search.threads = crew.threads();
   command.search.cancel = &interrupt.requested();
   command.search.progress = [&](const SearchProgress& at) { line.update(at); };
   std::function<Answers(const OptimizeResult&)> explain;
@@ -131,6 +154,10 @@ void add_optimize_command(CLI::App& program, int& exit_code) {
   app->add_option(
       "--study", command->study,
       "Keep the search in this new file; delos study resumes and steers it");
+  app->add_option(
+         "--shard", command->shard,
+         "Only this part of the starts, as 2/3; delos merge joins their studies")
+      ->type_name("PART/PARTS");
   app->add_flag(
       "--explain", command->explain,
       "Also how far each variable may be off, and which device is missed most");
@@ -148,7 +175,8 @@ void add_optimize_command(CLI::App& program, int& exit_code) {
       "  delos optimize scenes/09-camera-room.yaml --seed 1 --json\n"
       "  delos optimize scenes/09-camera-room.yaml --before before.png --out best.png "
       "\\\n"
-      "        --out best.yaml");
+      "        --out best.yaml\n"
+      "  mpirun -n 8 delos optimize scenes/09-camera-room.yaml --starts 64");
   app->callback([command, &exit_code] { exit_code = run(*command); });
 }
 

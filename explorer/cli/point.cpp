@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "command.h"
-#include "delos/observe/beacon_use.h"
-#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "json.h"
+#include "session/named.h"
 #include "session/point_answer.h"
 #include "summary.h"
 
@@ -171,7 +170,7 @@ int run(const PointCommand& command) {
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   const Eigen::Vector3d at = three_numbers(command.at, "m", "--at");
   const Eigen::Vector3d rpy = three_numbers(command.rpy, "rad", "--rpy");
-  const Solver solver = solver_named(command.options.solver);
+  const Solver solver = session::solver_named(command.options.solver);
   const PointAnswer answer = [&] {
     try {
       return answer_point(loaded, at, rpy, solver);

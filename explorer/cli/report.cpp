@@ -9,10 +9,6 @@
 
 #include "command.h"
 #include "consensus.h"
-#include "delos/field/blind.h"
-#include "delos/output/write.h"
-#include "delos/scene/definition.h"
-#include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "evaluation.h"
@@ -20,6 +16,8 @@
 #include "report/tradeoff_section.h"
 #include "report/words.h"
 #include "search_report.h"
+#include "session/search_answer.h"
+#include "session/written_field.h"
 
 namespace delos::cli {
 namespace {
@@ -39,12 +37,6 @@ bool is_study(const std::filesystem::path& file) {
   std::ifstream(file, std::ios::binary)
       .read(start.data(), static_cast<std::streamsize>(start.size()));
   return start == kMagic;
-}
-
-LoadedScene loaded_from(Scene scene, PluginRegistry& plugins) {
-  const auto metric = parse_metric(scene.metric, known_metrics(scene));
-  System system = build_system(scene, plugins);
-  return {std::move(scene), std::move(system), std::get<Metric>(metric)};
 }
 
 void stop_if(const Interrupt& interrupt) {
@@ -69,7 +61,7 @@ Shown shown(const LoadedScene& loaded, const Field* same_samples,
   }
   stop_if(interrupt);
   const bool larger = loaded.metric.larger_is_better;
-  for (const Samples& plane : level_planes(loaded.scene)) {
+  for (const Samples& plane : session::level_planes(loaded.scene)) {
     all.views.push_back(
         report::view_of(evaluate(loaded, plane, options, interrupt), larger));
     stop_if(interrupt);
@@ -227,8 +219,9 @@ void add_answers(report::StudyReport& r, const ReportCommand& command,
 report::Html consensus_part(const report::StudyReport& r, const Study& study,
                             PluginRegistry& plugins) {
   constexpr std::size_t kMost = 10;
-  if (best_of_starts(study, -1).empty()) return {};
-  const StudyConsensus found = study_consensus(study, plugins, -1, kMost);
+  if (session::best_of_starts(study, -1).empty()) return {};
+  const session::StudyConsensus found =
+      session::study_consensus(study, plugins, -1, kMost);
   std::vector<std::string> values;
   for (const ConsensusLayout& layout : found.consensus.layouts)
     values.push_back(
@@ -273,8 +266,8 @@ std::string study_report(const ReportCommand& command, PluginRegistry& plugins,
     r.evaluations.push_back(study.evaluations(round.number));
   add_design(r, plugins);
 
-  const LoadedScene before = loaded_from(r.before, plugins),
-                    after = loaded_from(r.after, plugins);
+  const LoadedScene before = session::loaded_from(r.before, plugins),
+                    after = session::loaded_from(r.after, plugins);
   Shown was = shown(before, nullptr, command.options, interrupt);
   Shown is = shown(after, &was.field, command.options, interrupt);
   r.larger_is_better = after.metric.larger_is_better;

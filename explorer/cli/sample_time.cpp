@@ -7,13 +7,12 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/output/write.h"
-#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "json.h"
 #include "quantity.h"
 #include "report/chart.h"
+#include "session/written_field.h"
 #include "summary.h"
 
 namespace delos::cli {

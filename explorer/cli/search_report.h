@@ -5,35 +5,26 @@
 #include <iosfwd>
 
 #include "command.h"
-#include "delos/optimize/answers.h"
-#include "delos/optimize/optimize.h"
 #include "json.h"
+#include "session/search_answer.h"
 #include "status_line.h"
 
 namespace delos::cli {
 
-/// The contract's document: `optimize --json`.
-[[nodiscard]] Json search_json(const OptimizeResult& result, PluginRegistry& plugins);
+using session::answers_json;
+using session::constraint_unit;
+using session::objective_shown;
+using session::objective_text;
+using session::objective_unit;
+using session::search_json;
 
 /// What changed, and whether constraints are kept.
 void print_search(std::ostream& out, const OptimizeResult& result,
                   PluginRegistry& plugins);
 
-/// What the design depends on: `answers` of the document, and a text.
-[[nodiscard]] Json answers_json(const Answers& answers);
+/// What the design depends on.
 void print_answers(std::ostream& out, const Answers& answers, Scene scene,
                    PluginRegistry& plugins);
-
-/// "mean eigmax"
-[[nodiscard]] std::string objective_text(const Scene& scene);
-/// The objective's unit, "1" where terms have several.
-[[nodiscard]] std::string objective_unit(const Scene& scene);
-
-/// What a maximised objective is, without the sign that minimising gave it.
-[[nodiscard]] double objective_shown(const Scene& scene, double objective);
-/// The SI unit of a constraint's slack.
-[[nodiscard]] std::string constraint_unit(const ConstraintEntry& entry,
-                                          const Scene& scene);
 
 /// The best so far, on a line of stderr.
 class SearchLine {

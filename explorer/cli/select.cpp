@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/optimize/choices.h"
-#include "delos/output/write.h"
 #include "delos/text/format.h"
 #include "evaluation.h"
 #include "json.h"
 #include "select_report.h"
+#include "session/select_answer.h"
+#include "session/written_field.h"
 #include "status_line.h"
 #include "summary.h"
 

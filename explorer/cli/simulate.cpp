@@ -7,8 +7,6 @@
 #include <sstream>
 
 #include "command.h"
-#include "delos/output/write.h"
-#include "delos/scene/definition.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
@@ -16,7 +14,9 @@
 #include "json.h"
 #include "report/simulation_chart.h"
 #include "session/kept_simulation.h"
+#include "session/named.h"
 #include "session/simulation_answer.h"
+#include "session/written_field.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -201,7 +201,7 @@ void write_out(const SimulateCommand& command, const SimulationAnswer& answer,
 int run(const SimulateCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   SimulationOptions options;
-  options.filter = filter_named(command.filter);
+  options.filter = session::filter_named(command.filter);
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   options.runs = command.runs;
   options.seed = command.seed;
@@ -255,14 +255,6 @@ int run(const SimulateCommand& command) {
 }
 
 }  // namespace
-
-FilterKind filter_named(const std::string& name) {
-  for (const FilterKind kind : {FilterKind::extended, FilterKind::iterated,
-                                FilterKind::sequential, FilterKind::unscented})
-    if (name == to_string(kind)) return kind;
-  throw Failure{kUsage, "--filter '" + name +
-                            "': choose extended, iterated, sequential or unscented"};
-}
 
 void add_simulate_command(CLI::App& program, int& exit_code) {
   auto command = std::make_shared<SimulateCommand>();

@@ -6,23 +6,18 @@
 #include <vector>
 
 #include "command.h"
-#include "delos/field/spec.h"
-#include "json.h"
+#include "session/specs.h"
 
 namespace delos::cli {
+
+using session::MetSpec;
+using session::specs_json;
 
 void add_spec_option(CLI::App& command, std::vector<std::string>& texts);
 
 /// @throws Failure kUsage
-[[nodiscard]] std::vector<Spec> specs_of(const std::vector<std::string>& texts,
-                                         const LoadedScene& loaded);
-
-/// What came of a specification.
-struct MetSpec {
-  Spec spec;
-  SpecShare share;
-  bool by_volume = false;  ///< samples stand for volumes of their own
-};
+[[nodiscard]] std::vector<Spec> asked_specs(const std::vector<std::string>& texts,
+                                            const LoadedScene& loaded);
 
 /// On the samples of a field; metrics other than its own are evaluated there.
 /// @throws Failure as unsolvable()
@@ -33,6 +28,5 @@ struct MetSpec {
                                              const Interrupt& interrupt);
 
 void print_specs(std::ostream& out, const std::vector<MetSpec>& all);
-[[nodiscard]] Json specs_json(const std::vector<MetSpec>& all);
 
 }  // namespace delos::cli

@@ -1,5 +1,4 @@
 // delos study: look at, steer and resume a search that is kept in a file.
-#include "delos/optimize/study.h"
 
 #include <cmath>
 #include <iomanip>
@@ -8,12 +7,13 @@
 
 #include "command.h"
 #include "consensus.h"
-#include "delos/scene/io.h"
-#include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
 #include "search_report.h"
+#include "session/joined_crew.h"
+#include "session/search_answer.h"
+#include "session/study_answer.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -32,32 +32,10 @@ const std::vector<std::string> kActions = {
     "show", "resume", "best",   "export", "pause",  "lock", "unlock",   "set",
     "keep", "drop",   "forbid", "inject", "extend", "undo", "consensus"};
 
-Json to_json(const StudySummary& s) {
-  Json rounds = Json::array(), acts = Json::array();
-  for (const StudyRound& r : s.rounds)
-    rounds.push_back({{"round", r.number},
-                      {"ended", r.ended},
-                      {"evaluations", r.evaluations},
-                      {"initial", r.ended ? number(r.initial) : Json()},
-                      {"best", r.ended ? number(r.best) : Json()}});
-  for (const StudyAct& a : s.acts)
-    acts.push_back({{"act", a.number},
-                    {"after_round", a.after_round},
-                    {"verb", a.verb},
-                    {"argument", a.argument}});
-  return {{"scene", s.scene},
-          {"algorithm", s.plan.algorithm},
-          {"seed", s.plan.seed},
-          {"locked", s.locked},
-          {"rounds", rounds},
-          {"acts", acts},
-          {"waiting_acts", s.waiting.size()}};
-}
-
 void show(const Study& study, const SceneOptions& options) {
   const StudySummary s = study.summary();
   if (options.json) {
-    print_document(to_json(s));
+    print_document(session::study_json(s));
     return;
   }
   const std::string unit = objective_unit(study.scene());
@@ -81,29 +59,14 @@ void show(const Study& study, const SceneOptions& options) {
   for (const std::string& path : s.locked) std::cout << "locked: " << path << "\n";
 }
 
-/// The design of a scene file, as an act writes it.
-std::string design_of(const std::filesystem::path& file, const Study& study,
-                      PluginRegistry& plugins) {
-  Diagnostics findings;
-  auto scene = load_scene(file, {}, plugins, findings);
-  if (!scene) throw std::invalid_argument(to_string(findings.front()));
-  std::string text;
-  for (const VariableEntry& v : study.scene().variables) {
-    const auto found = find_number(*scene, v.path, plugins);
-    if (const auto* problem = std::get_if<std::string>(&found))
-      throw std::invalid_argument(file.string() + ": " + v.path + ": " + *problem);
-    text += (text.empty() ? "" : "\n") + v.path + '=' +
-            shortest(*std::get<SceneNumber>(found).value);
-  }
-  return text;
-}
-
-int resume(Study& study, StudyCommand& command, PluginRegistry& plugins) {
+int resume(Study& study, StudyCommand& command, const session::JoinedCrew& crew,
+           PluginRegistry& plugins) {
   const Interrupt interrupt;
   const Scene scene = study.scene();
   SearchLine line(scene);
   OptimizeOptions options;
-  options.threads = command.options.threads;
+  options.threads = crew.threads();
+  options.crew = crew.get();
   options.cancel = &interrupt.requested();
   options.progress = [&](const SearchProgress& at) { line.update(at); };
   return finish_search([&] { return study.run(options); }, line, command.file,
@@ -112,6 +75,8 @@ int resume(Study& study, StudyCommand& command, PluginRegistry& plugins) {
 
 int run(StudyCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const session::JoinedCrew crew(command.options.threads);
+  if (crew.served(plugins)) return kDone;
   const auto needs = [&](std::size_t count, const char* what) {
     if (command.arguments.size() != count)
       throw Failure{kUsage, "delos study FILE " + command.action + " " + what};
@@ -126,10 +91,10 @@ int run(StudyCommand& command) {
           save_scene(study.scene(command.round), study.folder(), command.arguments[0]);
       if (!problem.empty()) throw Failure{kDiagnostics, problem};
     } else if (command.action == "consensus") {
-      const StudyConsensus found =
-          study_consensus(study, plugins, command.round, command.most);
+      const session::StudyConsensus found =
+          session::study_consensus(study, plugins, command.round, command.most);
       if (command.options.json)
-        print_document(consensus_json(found));
+        print_document(session::consensus_json(found));
       else
         print_consensus(std::cout, found);
     } else if (command.action == "export") {
@@ -137,10 +102,10 @@ int run(StudyCommand& command) {
     } else if (command.action == "pause") {
       study.pause();
     } else if (command.action == "resume") {
-      return resume(study, command, plugins);
+      return resume(study, command, crew, plugins);
     } else if (command.action == "inject") {
       needs(1, "SCENE.yaml");
-      study.act("inject", design_of(command.arguments[0], study, plugins));
+      study.act("inject", session::design_of(command.arguments[0], study, plugins));
     } else {
       study.act(command.action, joined(command.arguments, " "));
     }

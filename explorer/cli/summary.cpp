@@ -4,9 +4,9 @@
 #include <iomanip>
 #include <ostream>
 
-#include "delos/observe/beacon_use.h"
 #include "delos/text/format.h"
 #include "delos/text/words.h"
+#include "session/point_answer.h"
 
 namespace delos::cli {
 namespace {
@@ -53,21 +53,13 @@ std::string cell(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, characters), ' ');
 }
 
-void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field) {
+void print_statistics(std::ostream& out, const Field& field) {
   const FieldStatistics s = summarize(field);
   const auto value = [&](double v) { return format_quantity(v, field.unit); };
-  out << loaded.scene.name << "\n"
-      << field.metric << " of the " << to_string(field.definition) << ", "
-      << counted(loaded.system.devices.size(), "device") << "\n";
-  for (const ClutterEntry& clutter : loaded.scene.clutter)
-    out << clutter.name << ": "
-        << counted(static_cast<std::size_t>(clutter.count), "occluder")
-        << " drawn at random, seed " << clutter.seed << "\n";
   out << counts_text(s) << "\n";
   if (s.finite == 0) {
     out << "  " << field.metric
         << " is finite nowhere: no sample is seen well enough\n";
-    for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";
     return;
   }
   const auto error = [&](double VolumeStatistics::*of) {
@@ -91,6 +83,21 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
     out << "pictures and files read the octree: between its nodes it is within "
         << format_quantity(100 * *field.discretization_error, "1", 2)
         << " % over 95 % of the volume\n";
+  }
+}
+
+void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& field) {
+  out << loaded.scene.name << "\n"
+      << field.metric << " of the " << to_string(field.definition) << ", "
+      << counted(loaded.system.devices.size(), "device") << "\n";
+  for (const ClutterEntry& clutter : loaded.scene.clutter)
+    out << clutter.name << ": "
+        << counted(static_cast<std::size_t>(clutter.count), "occluder")
+        << " drawn at random, seed " << clutter.seed << "\n";
+  print_statistics(out, field);
+  if (summarize(field).finite == 0) {
+    for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";
+    return;
   }
   const bool scatter =
       loaded.metric.kind != MetricKind::footprint && !counts_bias(loaded.system);

@@ -1,5 +1,4 @@
 // delos tradeoff: the best designs for many limits, or for many numbers of devices.
-#include "delos/optimize/tradeoff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +6,11 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/scene/definition.h"
-#include "delos/scene/number.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "search_report.h"
+#include "session/joined_crew.h"
+#include "session/tradeoff_answer.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -41,23 +40,6 @@ double quantity(const std::string& text, const std::string& unit, const char* op
   return std::get<double>(value);
 }
 
-Json variables(Scene scene, PluginRegistry& plugins) {
-  Json all = Json::object();
-  for (const VariableEntry& v : scene.variables)
-    all[v.path] =
-        number(*std::get<SceneNumber>(find_number(scene, v.path, plugins)).value);
-  return all;
-}
-
-/// @param found a scene of the points; all have one definition
-Json header(const Scene& scene, const Scene& found) {
-  return {
-      {"scene", scene.name},
-      {"objective", {{"name", objective_text(scene)}, {"unit", objective_unit(scene)}}},
-      {"fusion", to_string(definition_of(found).fusion)},
-      {"covariance", to_string(found.covariance)}};
-}
-
 void save(const TradeoffCommand& command, const Scene& scene, const std::string& name) {
   if (command.scenes.empty()) return;
   const std::string problem =
@@ -79,9 +61,7 @@ Json front(const TradeoffCommand& command, Scene& scene, PluginRegistry& plugins
                               "': write CONSTRAINT=FROM..TO, such as budget=2..4.4"};
   const std::string name = command.limit.substr(0, equals);
   (void)constraint_limit(scene, name);
-  std::string unit;
-  for (const ConstraintEntry& entry : scene.constraints)
-    if (entry.name == name) unit = constraint_unit(entry, scene);
+  const std::string unit = session::limit_unit(scene, name);
   const auto [from, to] = range(command.limit.substr(equals + 1), "--limit");
   const double first = quantity(from, unit, "--limit"),
                last = quantity(to, unit, "--limit");
@@ -93,21 +73,10 @@ Json front(const TradeoffCommand& command, Scene& scene, PluginRegistry& plugins
 
   const std::vector<FrontPoint> points =
       search_front(scene, plugins, name, levels, command.search, told(scene.name));
-  Json json = header(scene, points.front().scene);
-  json["limit"] = {{"constraint", name}, {"unit", unit}};
-  json["points"] = Json::array();
   int k = 0;
-  for (const FrontPoint& point : points) {
+  for (const FrontPoint& point : points)
     save(command, point.scene, name + "-" + std::to_string(++k));
-    json["points"].push_back(
-        {{"limit", number(point.limit)},
-         {"used", number(point.used)},
-         {"objective", number(objective_shown(scene, point.objective))},
-         {"kept", point.kept},
-         {"dominated", point.dominated},
-         {"variables", variables(point.scene, plugins)}});
-  }
-  return json;
+  return session::front_json(scene, name, points, plugins);
 }
 
 Prices prices_of(const TradeoffCommand& command, const Scene& scene) {
@@ -126,22 +95,6 @@ Prices prices_of(const TradeoffCommand& command, const Scene& scene) {
   return prices;
 }
 
-Json point_json(const DeviceCountPoint& point, const Scene& scene,
-                PluginRegistry& plugins) {
-  Json constraints = Json::array(), names = Json::array();
-  for (const ConstraintReport& c : point.constraints)
-    constraints.push_back(
-        {{"name", c.name}, {"satisfied", c.satisfied}, {"slack", number(c.slack)}});
-  for (const DeviceEntry& device : point.scene.devices) names.push_back(device.name);
-  return {{"devices", point.devices},
-          {"price", number(point.price)},
-          {"objective", number(objective_shown(scene, point.objective))},
-          {"kept", point.kept},
-          {"constraints", constraints},
-          {"names", names},
-          {"variables", variables(point.scene, plugins)}};
-}
-
 Json counts(const TradeoffCommand& command, const Scene& scene,
             PluginRegistry& plugins) {
   const auto [from, to] = range(command.devices, "--devices");
@@ -155,21 +108,9 @@ Json counts(const TradeoffCommand& command, const Scene& scene,
   const auto points = search_counts(
       scene, plugins, static_cast<std::size_t>(first), static_cast<std::size_t>(last),
       prices_of(command, scene), command.search, told(scene.name));
-  const auto reached = std::find_if(
-      points.begin(), points.end(),
-      [](const DeviceCountPoint& point) { return !point.scene.devices.empty(); });
-  Json json = header(scene, reached == points.end() ? scene : reached->scene);
-  json["points"] = Json::array();
-  for (const DeviceCountPoint& point : points) {
+  for (const DeviceCountPoint& point : points)
     save(command, point.scene, "devices-" + std::to_string(point.devices));
-    json["points"].push_back(point_json(point, scene, plugins));
-  }
-  const DeviceCountPoint* cheapest = cheapest_kept(points);
-  json["cheapest"] =
-      cheapest
-          ? Json({{"devices", cheapest->devices}, {"price", number(cheapest->price)}})
-          : Json();
-  return json;
+  return session::counts_json(scene, points, plugins);
 }
 
 void print(std::ostream& out, const Json& json) {
@@ -213,10 +154,13 @@ int run(TradeoffCommand& command) {
   if (command.limit.empty() == command.devices.empty())
     throw Failure{kUsage, "delos tradeoff needs one of --limit and --devices"};
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const session::JoinedCrew crew(command.options.threads);
+  if (crew.served(plugins)) return kDone;
   LoadedScene loaded = load(command.scene, command.options, plugins);
   if (!command.scenes.empty()) std::filesystem::create_directories(command.scenes);
   const Interrupt interrupt;
-  command.search.threads = command.options.threads;
+  command.search.threads = crew.threads();
+  command.search.crew = crew.get();
   command.search.cancel = &interrupt.requested();
   Json json;
   try {

@@ -8,11 +8,8 @@ namespace delos::cli {
 
 using session::diagnostics_json;
 
-/// Devices that see nothing, values of the wrong unit and the like, as warnings.
-[[nodiscard]] Diagnostics doubts_of(const std::filesystem::path& file,
-                                    const LoadedScene& loaded, PluginRegistry& plugins);
-
-/// The same, and printed to stderr.
+/// Devices that see nothing, values of the wrong unit and the like, as warnings, which
+/// are printed to stderr too.
 [[nodiscard]] Diagnostics print_doubts(const std::filesystem::path& file,
                                        const LoadedScene& loaded,
                                        PluginRegistry& plugins);

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "delos/model/metric.h"
+#include "delos/plugin/registry.h"
 #include "delos/rig/system.h"
 #include "delos/scene/io.h"
 
@@ -28,5 +30,22 @@ struct LoadedScene {
                                               Diagnostics& diagnostics,
                                               const MeshProgress& progress = {},
                                               const System* previous = nullptr);
+
+/// Where a scene comes from.
+struct SceneSource {
+  std::filesystem::path file;  ///< names it in messages; relative paths start there
+  std::optional<std::string> text;  ///< instead of the file's
+  std::vector<Override> changes;    ///< made in order before it is checked
+};
+
+/// The same of any source, without warnings.
+/// @throws Refusal with all findings where one is an error
+/// @throws as build_system()
+[[nodiscard]] LoadedScene load(const SceneSource& source, PluginRegistry& plugins);
+
+/// A scene that is in order, such as a search's, made ready.
+/// @throws as build_system()
+[[nodiscard]] LoadedScene loaded_from(Scene scene, PluginRegistry& plugins,
+                                      const System* previous = nullptr);
 
 }  // namespace delos::session

@@ -1,6 +1,7 @@
 // A fitted motion as JSON (`fit-motion --json`).
 #pragma once
 
+#include "delos/model/motion_words.h"
 #include "motion/segments.h"
 #include "session/json.h"
 

@@ -37,4 +37,15 @@ Json field_answer(const LoadedScene& loaded, const Field& field) {
   return json;
 }
 
+Json verification_json(const Verification& v) {
+  Json resolutions = Json::array();
+  for (const Resolution& r : v.resolutions) {
+    resolutions.push_back({{"spacing", number(r.spacing)},
+                           {"evaluations", r.evaluations},
+                           {"error", number(r.error)}});
+  }
+  return {{"resolutions", resolutions},
+          {"orders", {number(v.first_order), number(v.second_order)}}};
+}
+
 }  // namespace delos::session

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "delos/field/adaptive.h"
+#include "delos/field/verify.h"
 #include "session/json.h"
 #include "session/loaded_scene.h"
 
@@ -25,5 +26,8 @@ struct Evaluation {
 
 /// The contract's document (`field --json`) without warnings and specifications.
 [[nodiscard]] Json field_answer(const LoadedScene& loaded, const Field& field);
+
+/// Its `verification`.
+[[nodiscard]] Json verification_json(const Verification& verification);
 
 }  // namespace delos::session

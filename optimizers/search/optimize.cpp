@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "crew/crew_search.h"
 #include "delos/model/infinity.h"
 #include "delos/scene/definition.h"
 #include "delos/text/words.h"
@@ -142,7 +143,30 @@ class Team {
   std::vector<std::unique_ptr<Workplace>> places_;
 };
 
-/// Explore from all starts, and finish the better half, the best first.
+/// Work on the starts of this part, and then, where parts meet, on those of the others,
+/// whose evaluations are recalled.
+/// @param which indices of starts, in the order in which they are divided
+template <class Work>
+void each_part(Team& team, const std::vector<std::size_t>& which,
+               const OptimizeOptions& options, Work&& work) {
+  std::vector<std::size_t> mine, others;
+  for (std::size_t k = 0; k < which.size(); ++k)
+    (k % options.parts.of == options.parts.index ? mine : others).push_back(which[k]);
+  std::string problem;
+  try {
+    team.each(mine.size(), [&](std::size_t k, Workplace& at) { work(mine[k], at); });
+  } catch (const std::exception& failure) {
+    if (!options.meet) throw;
+    problem = failure.what();
+  }
+  if (!options.meet) return;
+  options.meet(problem);
+  team.each(others.size(), [&](std::size_t k, Workplace& at) { work(others[k], at); });
+}
+
+/// Explore from all starts, and finish the better half, the best first. A part that
+/// doesn't meet the others can't know which those are, and finishes all of its own.
+/// @returns all; those of parts that aren't searched here aren't explored
 std::vector<Start> run_starts(const Scene& scene, PluginRegistry& plugins,
                               const OptimizeOptions& options, const Plan& plan,
                               const std::vector<std::vector<double>>& from,
@@ -151,15 +175,21 @@ std::vector<Start> run_starts(const Scene& scene, PluginRegistry& plugins,
   for (std::size_t k = 0; k < from.size(); ++k)
     starts.emplace_back(options, plan, static_cast<int>(k), shared);
   Team team(scene, plugins, options, from.size());
-  team.each(from.size(),
-            [&](std::size_t k, Workplace& at) { starts[k].explore(at, from[k]); });
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return better(starts[a].best_score(), starts[b].best_score(), team.limits());
-  });
-  team.each((from.size() + 1) / 2,
-            [&](std::size_t k, Workplace& at) { starts[order[k]].finish(at); });
+  each_part(team, order, options,
+            [&](std::size_t k, Workplace& at) { starts[k].explore(at, from[k]); });
+  const bool alone = options.parts.of > 1 && !options.meet;
+  if (!alone) {
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      if (!starts[a].explored() || !starts[b].explored())
+        return starts[a].explored() && !starts[b].explored();
+      return better(starts[a].best_score(), starts[b].best_score(), team.limits());
+    });
+    order.resize((from.size() + 1) / 2);
+  }
+  each_part(team, order, options,
+            [&](std::size_t k, Workplace& at) { starts[k].finish(at); });
   return starts;
 }
 
@@ -205,6 +235,7 @@ Scene with_guess(Scene scene, PluginRegistry& plugins) {
 
 OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
                         const OptimizeOptions& options) {
+  if (options.crew) return search_with_crew(given, plugins, options);
   const auto begin = std::chrono::steady_clock::now();
   const Scene scene = with_guess(given, plugins);
   Problem whole(scene, plugins, {0, options.threads});
@@ -215,7 +246,8 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
   result.messages = whole.design().repairs();
 
   std::vector<std::vector<double>> starts;
-  for (int k = 0; k < plan.starts; ++k) {
+  const auto stopped = [&] { return options.cancel && options.cancel->load(); };
+  for (int k = 0; k < plan.starts && (k == 0 || !stopped()); ++k) {
     const Repair repaired =
         repair(whole, start_of(whole.design().start(), k, options.seed));
     if (k == 0 && !repaired.feasible)
@@ -239,6 +271,7 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
   result.best_x = starts.front();
   result.best = whole.score(result.best_x);
   for (const Start& end : ends) {
+    if (!end.explored()) continue;
     const Score score = whole.score(end.best());
     if (!better(score, result.best, whole.limits())) continue;
     result.best = score;
@@ -254,11 +287,10 @@ OptimizeResult optimize(const Scene& given, PluginRegistry& plugins,
   result.initial_field = whole.field(result.initial_x);
   result.best_field = whole.field(result.best_x);
   result.scene = whole.design().scene();
-  const bool cancelled = options.cancel && options.cancel->load();
   const bool spent = std::any_of(ends.begin(), ends.end(),
                                  [](const Start& end) { return end.spent(); });
   result.stop = !result.best.feasible() ? SearchStop::infeasible
-                : cancelled             ? SearchStop::cancelled
+                : stopped()             ? SearchStop::cancelled
                 : spent                 ? SearchStop::budget
                                         : SearchStop::converged;
   result.evaluations = shared.evaluations();

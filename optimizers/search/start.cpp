@@ -98,6 +98,7 @@ void Start::take(std::span<const double> x, const Score& score) {
 }
 
 void Start::explore(Workplace& at, const std::vector<double>& from) {
+  if (index_ > 0 && cancelled()) return;  // the first one is what there was
   at_ = &at;
   x_ = best_ = from;
   best_score_ = hard(from);
@@ -109,6 +110,7 @@ void Start::explore(Workplace& at, const std::vector<double>& from) {
 }
 
 void Start::finish(Workplace& at) {
+  if (!explored()) return;
   at_ = &at;
   if (plan_.traits.slopes) run_stages(kExploring, static_cast<int>(std::size(kWidths)));
 }

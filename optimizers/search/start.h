@@ -97,12 +97,14 @@ class Start {
   Start(const OptimizeOptions& options, const Plan& plan, int index, Shared& shared)
       : options_(options), plan_(plan), index_(index), shared_(shared) {}
 
-  /// The first stages, or all of a method that has none.
+  /// The first stages, or all of a method that has none; none where the search is
+  /// cancelled already.
   void explore(Workplace& at, const std::vector<double>& from);
   /// The other stages.
   void finish(Workplace& at);
 
-  /// The best point by its hard score on the samples of the search.
+  [[nodiscard]] bool explored() const { return !best_.empty(); }
+  /// The best point by its hard score on the samples of the search. @pre explored()
   [[nodiscard]] const std::vector<double>& best() const { return best_; }
   [[nodiscard]] const Score& best_score() const { return best_score_; }
 

@@ -59,4 +59,37 @@ void DatabaseLedger::remember(const EvaluationKey& key, std::span<const double> 
       .step();
 }
 
+void DatabaseLedger::each(const Told& told) {
+  const std::lock_guard lock(mutex_);
+  Statement s = database_.prepare(
+      "SELECT start, number, x, width, objective, slacks, slope, slopes FROM "
+      "evaluations WHERE round = ? ORDER BY start, number");
+  s.bind(1, std::int64_t{round_});
+  while (s.step())
+    told({static_cast<int>(s.integer(0)), static_cast<int>(s.integer(1))}, s.numbers(2),
+         {s.real(3), {s.real(4), s.numbers(5)}, s.numbers(6), s.numbers(7)});
+}
+
+void PartsLedger::add(const Database& part, int round) {
+  parts_.push_back(std::make_unique<DatabaseLedger>(part, round, [] {}));
+}
+
+bool PartsLedger::recall(const EvaluationKey& key, std::span<const double> x,
+                         EvaluationRecord& record) {
+  if (whole_.recall(key, x, record)) return true;
+  for (const auto& part : parts_) {
+    if (!part->recall(key, x, record)) continue;
+    whole_.remember(key, x, record);
+    return true;
+  }
+  return false;
+}
+
+void PartsLedger::remember(const EvaluationKey& key, std::span<const double> x,
+                           const EvaluationRecord& record) {
+  whole_.remember(key, x, record);
+}
+
+void PartsLedger::each(const Told& told) { whole_.each(told); }
+
 }  // namespace delos

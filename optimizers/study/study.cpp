@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "delos/scene/io.h"
 #include "delos/text/units.h"
@@ -54,6 +55,7 @@ struct Study::State {
   struct stat identity {};
   Database database;
   PluginRegistry& plugins;
+  std::vector<std::unique_ptr<State>> parts;  ///< whose evaluations are recalled
 
   [[nodiscard]] std::string fact(const std::string& name) const {
     Statement s = database.prepare("SELECT value FROM facts WHERE name = ?");
@@ -89,6 +91,8 @@ struct Study::State {
     plan.seed = whole_fact<std::uint64_t>("seed");
     plan.samples = whole_fact<std::size_t>("samples");
     plan.version = fact("version");
+    if (!fact("parts").empty())
+      plan.part = {whole_fact<std::size_t>("part"), whole_fact<std::size_t>("parts")};
     return plan;
   }
 
@@ -242,6 +246,10 @@ Study Study::create(const std::filesystem::path& file, const Scene& scene,
     state.set_fact("seed", std::to_string(plan.seed));
     state.set_fact("samples", std::to_string(plan.samples));
     state.set_fact("version", plan.version);
+    if (plan.part.of > 1) {
+      state.set_fact("part", std::to_string(plan.part.index));
+      state.set_fact("parts", std::to_string(plan.part.of));
+    }
     state.begin_round(1, {with_guess(scene, plugins), {}}, 0, plan.evaluations);
     state.database.run("COMMIT");
   }
@@ -262,6 +270,50 @@ Study::Study(const std::filesystem::path& file, PluginRegistry& plugins) {
   if (format != kFormat)
     throw std::runtime_error(file.string() + " isn't a study that this version reads");
   state_->database.check_whole();
+}
+
+Study Study::merge(const std::filesystem::path& file,
+                   const std::vector<std::filesystem::path>& parts,
+                   PluginRegistry& plugins) {
+  std::vector<Study> all;
+  for (const auto& part : parts) all.emplace_back(part, plugins);
+  const auto refuse = [&](std::size_t k, const std::string& what) {
+    throw std::invalid_argument(parts[k].string() + ' ' + what);
+  };
+  const StudyPlan plan = all.front().summary().plan;
+  std::vector<std::size_t> owner(plan.part.of, all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const StudySummary s = all[k].summary();
+    if (s.plan.part.of < 2) refuse(k, "isn't a part: it was begun without --shard");
+    if (s.rounds.size() > 1 || !s.acts.empty())
+      refuse(k, "was steered, which the other parts weren't");
+    if (s.plan.version != plan.version)
+      refuse(k, "was begun by version " + s.plan.version + ", " + parts[0].string() +
+                    " by " + plan.version);
+    const auto asked = [](const StudyPlan& p) {
+      return std::tuple(p.algorithm, p.starts, p.evaluations, p.seed, p.samples,
+                        p.part.of);
+    };
+    if (asked(s.plan) != asked(plan) ||
+        write_scene(all[k].scene(0)) != write_scene(all[0].scene(0)))
+      refuse(k, "is a part of another search than " + parts[0].string());
+    std::size_t& of = owner[s.plan.part.index];
+    if (of < all.size()) refuse(k, "and " + parts[of].string() + " are the same part");
+    of = k;
+  }
+  std::string missing;
+  for (std::size_t part = 0; part < owner.size(); ++part)
+    if (owner[part] == all.size())
+      missing += (missing.empty() ? "" : ", ") + std::to_string(part + 1) + '/' +
+                 std::to_string(owner.size());
+  if (!missing.empty())
+    throw std::invalid_argument("the part " + missing + " is missing");
+  StudyPlan whole = plan;
+  whole.part = {};
+  Study merged =
+      create(file, all.front().scene(0), all.front().folder(), whole, plugins);
+  for (Study& part : all) merged.state_->parts.push_back(std::move(part.state_));
+  return merged;
 }
 
 StudySummary Study::summary() const {
@@ -359,14 +411,17 @@ OptimizeResult Study::State::run_round(int number, const OptimizeOptions& option
     check_there();
     if (acts_so_far() > at.acts || asked_to_stop(options)) stop = true;
   });
+  PartsLedger whole(ledger);
+  for (const auto& part : parts) whole.add(part->database, number);
   OptimizeOptions search = options;
+  search.parts = of_study.part;
   search.algorithm = of_study.algorithm;
   search.starts = of_study.starts;
   search.evaluations = at.evaluations;
   search.seed = of_study.seed;
   search.samples = of_study.samples;
   search.cancel = &stop;
-  search.ledger = &ledger;
+  search.ledger = &whole;
   Scene active = at.position.scene;
   remove_locked(active, at.position.locked);
   OptimizeResult result = optimize(active, plugins, search);

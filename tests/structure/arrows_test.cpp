@@ -114,6 +114,17 @@ TEST(Arrows, LeadFromTheExplorerToPublicHeaders) {
   }
 }
 
+/// The command line has options and words: what is asked of a scene is the session's,
+/// so that pages and notebooks can ask it too.
+TEST(Arrows, LeadFromTheCommandLineToTheSession) {
+  for (const Source& source : sources("explorer/cli")) {
+    for (const Include& i : includes(source)) {
+      EXPECT_TRUE(!starts(i.file, "delos/") || starts(i.file, "delos/text/"))
+          << source.path << " includes " << i.file;
+    }
+  }
+}
+
 /// The rooms of a library, lowest first: a source knows its own room and those below.
 struct House {
   const char* folder;              ///< what is left out of a path before its room
@@ -160,7 +171,7 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheKernel) {
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
   expect_downwards({"optimizers",
-                    {"include", "study", "nlopt", "problem", "search", "cover",
+                    {"include", "study", "nlopt", "problem", "crew", "search", "cover",
                      "selection", "tradeoff"}},
                    "");
 }
@@ -202,9 +213,11 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
       {"CLI11", std::regex("CLI/.*"), {"explorer/cli/"}},
       {"NLopt", std::regex("nlopt\\.h.*"), {"optimizers/nlopt/"}},
       {"SQLite", std::regex("sqlite.*"), {"optimizers/study/"}},
+      {"MPI", std::regex("mpi\\.h"), {"optimizers/crew/mpi/"}},
+      {"pybind11", std::regex("pybind11/.*"), {"python/"}},
   };
   std::vector<Source> all = sources("kernel");
-  for (const char* folder : {"plugins", "optimizers", "explorer"}) {
+  for (const char* folder : {"plugins", "optimizers", "explorer", "python"}) {
     for (Source& source : sources(folder)) all.push_back(std::move(source));
   }
   for (const Home& home : homes) {

@@ -7,6 +7,7 @@
 
 #include "delos/field/device_use.h"
 #include "delos/observe/beacon_use.h"
+#include "delos/plugin/registry.h"
 #include "delos/scene/places.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"

@@ -113,6 +113,15 @@ fs::path locate(const std::vector<fs::path>& folders, std::string_view id) {
 PluginRegistry::PluginRegistry(std::vector<fs::path> folders)
     : folders_(std::move(folders)) {}
 
+void PluginRegistry::add(const PluginInfo& info) {
+  const std::lock_guard lock(mutex_);
+  const auto [at, is_new] = loaded_.try_emplace(info.id, PluginLoad{&info, {}, {}});
+  if (!is_new)
+    throw std::invalid_argument("there is a device '" + at->first +
+                                "' already; choose another id");
+  own_.emplace_back(info.id);
+}
+
 const PluginLoad& PluginRegistry::find(std::string_view id) {
   const std::lock_guard lock(mutex_);
   if (const auto it = loaded_.find(id); it != loaded_.end()) return it->second;
@@ -139,7 +148,7 @@ std::vector<PluginLoad> PluginRegistry::all() {
 }
 
 std::vector<std::string> PluginRegistry::ids() const {
-  std::set<std::string> found;
+  std::set<std::string> found(own_.begin(), own_.end());
   for (const fs::path& folder : folders_) {
     // A folder that can't be read has no plugins; find() says so where it matters.
     std::error_code ignored;

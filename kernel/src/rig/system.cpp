@@ -6,6 +6,7 @@
 
 #include "delos/device/faults.h"
 #include "delos/model/infinity.h"
+#include "delos/plugin/registry.h"
 #include "delos/scene/clutter.h"
 #include "delos/scene/definition.h"
 #include "rig/parts.h"

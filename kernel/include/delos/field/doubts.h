@@ -6,11 +6,12 @@
 
 #include "delos/api.h"
 #include "delos/document/diagnostic.h"
-#include "delos/plugin/registry.h"
 #include "delos/rig/system.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
+
+class PluginRegistry;
 
 /// What to ask the user about a scene that is in order: a look at a thousand of its
 /// places, or fewer where there are many devices, tells

@@ -17,11 +17,12 @@
 #include "delos/model/metric.h"
 #include "delos/model/motion.h"
 #include "delos/model/pose.h"
-#include "delos/plugin/registry.h"
 #include "delos/scene/definition.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
+
+class PluginRegistry;
 
 /// A point on the target that point devices observe.
 struct PlacedMarker {

@@ -6,10 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include "delos/plugin/registry.h"
 #include "delos/scene/scene.h"
 
 namespace delos {
+
+class PluginRegistry;
 
 /// A number of a scene, and what is known of it.
 struct SceneNumber {

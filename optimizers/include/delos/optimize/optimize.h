@@ -39,6 +39,18 @@ class EvaluationLedger {
   /// Called before the search uses the record.
   virtual void remember(const EvaluationKey& key, std::span<const double> x,
                         const EvaluationRecord& record) = 0;
+  using Told = std::function<void(const EvaluationKey&, std::span<const double> x,
+                                  const EvaluationRecord&)>;
+  /// Tell all that is remembered of the search; nothing, as here, where that can't be
+  /// had.
+  virtual void each(const Told&) {}
+};
+
+class Crew;
+
+/// Which of a search's starts are searched: those k with k % of == index.
+struct SearchPart {
+  std::size_t index = 0, of = 1;
 };
 
 /// How far a search is.
@@ -61,6 +73,15 @@ struct OptimizeOptions {
   /// Called now and then, from any thread but never from two at once.
   std::function<void(const SearchProgress&)> progress;
   EvaluationLedger* ledger = nullptr;
+  /// Other processes that search too; they serve(). Null: this one alone.
+  Crew* crew = nullptr;
+  /// The starts that are searched here. Others are left out, or, where there is
+  /// `meet`, recalled.
+  SearchPart parts;
+  /// Called when the starts of a phase have been searched, with what they failed by, or
+  /// nothing: afterwards the ledger recalls the other parts' evaluations.
+  /// @throws std::runtime_error a part has failed
+  std::function<void(const std::string& problem)> meet;
 };
 
 /// How a search ended.

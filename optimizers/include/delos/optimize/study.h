@@ -17,7 +17,8 @@ struct StudyPlan {
   int starts = 0;
   std::uint64_t seed = 1;
   std::size_t samples = 1500;
-  std::string version;  ///< of the program that began it; "" where it isn't known
+  std::string version;   ///< of the program that began it; "" where it isn't known
+  SearchPart part = {};  ///< of the starts, where other studies have the others
 };
 
 /// Something a person did to a study.
@@ -65,6 +66,14 @@ class Study {
   static Study create(const std::filesystem::path& file, const Scene& scene,
                       const std::filesystem::path& folder, const StudyPlan& plan,
                       PluginRegistry& plugins);
+  /// Begin one from studies that each have a part of its starts; run() recalls what
+  /// they have evaluated, and gives the same as if it had searched alone.
+  /// @throws std::runtime_error as create(), or as opening one of them
+  /// @throws std::invalid_argument one of them is steered, is about something else,
+  ///         of another version or there twice, or one is missing: by name
+  static Study merge(const std::filesystem::path& file,
+                     const std::vector<std::filesystem::path>& parts,
+                     PluginRegistry& plugins);
   /// One that can't be written, or whose folder can't, can still be looked at.
   /// @throws std::runtime_error there is none, or it isn't one
   /// @throws std::runtime_error its file is damaged or cut short

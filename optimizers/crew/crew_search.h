@@ -1,0 +1,17 @@
+// A search by all processes of a crew.
+#pragma once
+
+#include "delos/optimize/optimize.h"
+
+namespace delos {
+
+/// As optimize(), by rank 0, while the others serve(). Gives the bytes that one process
+/// gives.
+/// @param options with a crew
+/// @throws std::invalid_argument as optimize()
+/// @throws std::runtime_error another process has other plugins, or fails
+[[nodiscard]] OptimizeResult search_with_crew(const Scene& scene,
+                                              PluginRegistry& plugins,
+                                              const OptimizeOptions& options);
+
+}  // namespace delos
