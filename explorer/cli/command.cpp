@@ -84,7 +84,7 @@ Failure unsolvable(const SceneOptions& options, const std::invalid_argument& err
 FieldOptions field_options(const SceneOptions& options, const Interrupt& interrupt,
                            Progress& progress) {
   FieldOptions all;
-  all.solver = session::solver_named(options.solver);
+  all.solver = read_option([&] { return session::solver_named(options.solver); });
   all.threads = options.threads;
   all.cancel = &interrupt.requested();
   all.progress = [&progress](std::size_t done, std::size_t of) {

@@ -11,6 +11,7 @@
 #include "interrupt.h"
 #include "progress.h"
 #include "session/loaded_scene.h"
+#include "session/refusal.h"
 #include "session/scene_field.h"
 
 namespace delos::cli {
@@ -46,6 +47,17 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 
 using session::LoadedScene;
 
+/// What the session makes of an option's value.
+/// @throws Failure kUsage what it refuses, with the option's dashes before its name
+template <class Read>
+auto read_option(Read&& read) {
+  try {
+    return read();
+  } catch (const session::Refusal& refusal) {
+    throw Failure{kUsage, "--" + std::string(refusal.what())};
+  }
+}
+
 /// Load, override and build; findings are appended, warnings too.
 /// @returns nullopt where one of them is an error
 /// @throws Failure kUsage
@@ -67,7 +79,7 @@ using session::LoadedScene;
 
 /// How fields are evaluated by these options.
 /// @param interrupt, progress kept by reference
-/// @throws session::Refusal no such solver
+/// @throws Failure kUsage
 [[nodiscard]] FieldOptions field_options(const SceneOptions& options,
                                          const Interrupt& interrupt,
                                          Progress& progress);

@@ -197,9 +197,8 @@ std::vector<LoadedScene> load_sides(const CompareCommand& command,
   }
   name_apart(command.scenes, scenes);
   if (!asked) session::evaluate_alike(scenes);
-  if (const auto no = session::incomparable(scenes))
-    throw Failure{kUsage, command.scenes[no->side] + " and " + command.scenes.front() +
-                              ' ' + no->problem};
+  if (const std::string no = session::incomparable(scenes, command.scenes); !no.empty())
+    throw Failure{kUsage, no};
   return scenes;
 }
 

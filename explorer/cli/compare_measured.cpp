@@ -232,8 +232,8 @@ int compare_read(const MeasuredCommand& command, const LoadedScene& loaded) {
     middle += p / static_cast<double>(samples.points.size());
   const auto answer = measured::compare_readings(
       loaded.system, middle, orientation_of(loaded.scene), *readings,
-      *make_filter(session::filter_named(command.filter)), std::get<double>(skip),
-      command.debias);
+      *make_filter(read_option([&] { return session::filter_named(command.filter); })),
+      std::get<double>(skip), command.debias);
   if (const auto* problem = std::get_if<std::string>(&answer))
     throw Failure{kDiagnostics, *problem};
   const auto& compared = std::get<ReadingsComparison>(answer);

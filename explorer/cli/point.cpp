@@ -170,7 +170,8 @@ int run(const PointCommand& command) {
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   const Eigen::Vector3d at = three_numbers(command.at, "m", "--at");
   const Eigen::Vector3d rpy = three_numbers(command.rpy, "rad", "--rpy");
-  const Solver solver = session::solver_named(command.options.solver);
+  const Solver solver =
+      read_option([&] { return session::solver_named(command.options.solver); });
   const PointAnswer answer = [&] {
     try {
       return answer_point(loaded, at, rpy, solver);

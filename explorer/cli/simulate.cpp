@@ -201,7 +201,7 @@ void write_out(const SimulateCommand& command, const SimulationAnswer& answer,
 int run(const SimulateCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
   SimulationOptions options;
-  options.filter = session::filter_named(command.filter);
+  options.filter = read_option([&] { return session::filter_named(command.filter); });
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   options.runs = command.runs;
   options.seed = command.seed;

@@ -3,7 +3,6 @@
 #include <ostream>
 
 #include "delos/text/words.h"
-#include "session/refusal.h"
 
 namespace delos::cli {
 
@@ -18,11 +17,7 @@ void add_spec_option(CLI::App& command, std::vector<std::string>& texts) {
 
 std::vector<Spec> asked_specs(const std::vector<std::string>& texts,
                               const LoadedScene& loaded) {
-  try {
-    return session::specs_of(texts, loaded);
-  } catch (const session::Refusal& refusal) {
-    throw Failure{kUsage, "--" + std::string(refusal.what())};
-  }
+  return read_option([&] { return session::specs_of(texts, loaded); });
 }
 
 std::vector<MetSpec> met_specs(const std::vector<Spec>& specs,

@@ -94,18 +94,19 @@ void evaluate_alike(std::vector<LoadedScene>& sides) {
     if (side.system.covariance != CovarianceKind::single) side.system.fusion = *fusion;
 }
 
-std::optional<Incomparable> incomparable(const std::vector<LoadedScene>& sides) {
+std::string incomparable(const std::vector<LoadedScene>& sides,
+                         const std::vector<std::string>& names) {
   const Metric& metric = sides.front().metric;
   for (std::size_t i = 1; i < sides.size(); ++i) {
     const Metric& other = sides[i].metric;
     if (same_metric(other, metric)) continue;
     if (other.name == metric.name && other.unit == metric.unit)
-      return Incomparable{i, "mean different things by " + metric.name +
-                                 "; give them one, or choose another metric"};
-    return Incomparable{i, "show " + other.name + " and " + metric.name +
-                               "; choose one metric for all"};
+      return names[i] + " and " + names.front() + " mean different things by " +
+             metric.name + "; give them one, or choose another metric";
+    return names[i] + " shows " + other.name + " and " + names.front() + " shows " +
+           metric.name + "; choose one metric for all";
   }
-  return std::nullopt;
+  return "";
 }
 
 ComparisonAnswer compare_scenes(const std::vector<LoadedScene>& sides,

@@ -38,14 +38,10 @@ struct ComparisonQuestion {
 /// Give all sides one fusion, unless they demand different ones.
 void evaluate_alike(std::vector<LoadedScene>& sides);
 
-/// Why these sides can't be compared, as what follows the names of the later and the
-/// first; empty where they can.
-struct Incomparable {
-  std::size_t side = 0;
-  std::string problem;
-};
-[[nodiscard]] std::optional<Incomparable> incomparable(
-    const std::vector<LoadedScene>& sides);
+/// Why these sides can't be compared, a sentence; empty where they can.
+/// @param names what the user calls each
+[[nodiscard]] std::string incomparable(const std::vector<LoadedScene>& sides,
+                                       const std::vector<std::string>& names);
 
 /// @pre two sides or more, comparable
 /// @throws Refusal as specs_of()

@@ -56,11 +56,14 @@ py::object compare(const std::vector<py::object>& scenes,
   if (scenes.size() < 2)
     throw Refusal(Blame::question, "a comparison needs two scenes or more");
   std::vector<session::LoadedScene> sides;
-  for (const py::object& scene : scenes) sides.push_back(scene_of(scene)->loaded);
+  std::vector<std::string> names;
+  for (const py::object& scene : scenes) {
+    sides.push_back(scene_of(scene)->loaded);
+    names.push_back("scene " + std::to_string(names.size() + 1));
+  }
   session::evaluate_alike(sides);
-  if (const auto no = session::incomparable(sides))
-    throw Refusal(Blame::question,
-                  "scenes " + std::to_string(no->side + 1) + " and 1 " + no->problem);
+  if (const std::string no = session::incomparable(sides, names); !no.empty())
+    throw Refusal(Blame::question, no);
   const session::ComparisonQuestion question{
       better_spec(better_than, sides.front().metric), specs};
   return to_python(stoppable(progress, [&](Watch& watch) {

@@ -192,8 +192,8 @@ TEST(CompareCommand, RefusesScenesOfDifferentMetrics) {
   EXPECT_EQ(done.code, 2);
   EXPECT_EQ(done.out, "");
   EXPECT_EQ(done.err,
-            "delos: trace.yaml shows trace and first.yaml shows eigmax; choose one for "
-            "all with --metric\n");
+            "delos: trace.yaml shows trace and first.yaml shows eigmax; choose one "
+            "metric for all\n");
   std::vector<std::string> one = words;
   one.insert(one.end(), {"--metric", "sigma_z"});
   EXPECT_EQ(run(one, folder.path()).code, 0);
