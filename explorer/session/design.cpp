@@ -35,12 +35,28 @@ bool Design::redo(PluginRegistry& plugins) {
 
 bool Design::take(const History& history, PluginRegistry& plugins,
                   Diagnostics& findings) {
-  std::optional<LoadedScene> loaded =
-      load(file_, history.changes(), plugins, findings, {}, &loaded_.system);
+  std::optional<LoadedScene> loaded = with(history.changes(), plugins, findings);
   if (!loaded) return false;
   loaded_ = std::move(*loaded);
   history_ = history;
+  if (history_.settled().size() > kMostSettled) settle(plugins);
   return true;
+}
+
+std::optional<LoadedScene> Design::with(const std::vector<Override>& changes,
+                                        PluginRegistry& plugins,
+                                        Diagnostics& findings) const {
+  return text_ ? load_text(*text_, file_, changes, plugins, findings, &loaded_.system)
+               : load(file_, changes, plugins, findings, {}, &loaded_.system);
+}
+
+/// Put settled changes into the text that the others begin from.
+void Design::settle(PluginRegistry& plugins) {
+  Diagnostics ignored;
+  const auto base = with(history_.settled(), plugins, ignored);
+  if (!base) return;  // alone they needn't be in order: they stay as they are
+  text_ = write_scene(with_absolute_files(base->scene, file_.parent_path()));
+  history_.forget_settled();
 }
 
 std::string Design::text() const {

@@ -14,11 +14,15 @@ bool touch(const std::string& a, const std::string& b) {
          (longer.size() == shorter.size() || longer[shorter.size()] == '.');
 }
 
+/// "+" adds a member and "-" takes one away, each time.
+bool counts_members(const std::string& path) {
+  return path.ends_with(".+") || path.ends_with(".-");
+}
+
 /// Add a change to others; an earlier one of its path goes where none after it cares.
-/// "+" adds a member each time.
 void put(std::vector<Override>& all, Override change) {
-  const bool adds = change.path.find('+') != std::string::npos;
-  for (std::size_t i = all.size(); !adds && i-- > 0;) {
+  for (std::size_t i = all.size(); !counts_members(change.path) && i-- > 0;) {
+    if (counts_members(all[i].path)) break;  // what was called so may be another
     if (!touch(all[i].path, change.path)) continue;
     if (all[i].path == change.path)
       all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));

@@ -31,6 +31,11 @@ class History {
   [[nodiscard]] std::size_t undoable() const { return done_; }
   [[nodiscard]] std::size_t redoable() const { return steps_.size() - done_; }
 
+  /// Changes that are too long ago to be undone.
+  [[nodiscard]] const std::vector<Override>& settled() const { return settled_; }
+  /// They are in the scene by now.
+  void forget_settled() { settled_.clear(); }
+
   /// All changes that aren't undone, in order.
   [[nodiscard]] std::vector<Override> changes() const;
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "delos/model/metric.h"
@@ -28,5 +29,11 @@ struct LoadedScene {
                                               Diagnostics& diagnostics,
                                               const MeshProgress& progress = {},
                                               const System* previous = nullptr);
+
+/// The same of a scene's text. @param file what relative paths start from
+[[nodiscard]] std::optional<LoadedScene> load_text(
+    const std::string& text, const std::filesystem::path& file,
+    const std::vector<Override>& overrides, PluginRegistry& plugins,
+    Diagnostics& diagnostics, const System* previous = nullptr);
 
 }  // namespace delos::session
