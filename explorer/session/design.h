@@ -48,12 +48,22 @@ class Design {
                                                 PluginRegistry& plugins,
                                                 Diagnostics& findings) const;
   void settle(PluginRegistry& plugins);
+  void keep_up_with(const History& history);
+
+  /// A scene on the way, so that a change needn't begin from the file.
+  struct Checkpoint {
+    std::size_t steps;  ///< History::steps() of it
+    std::string text;
+  };
+  /// Steps that are read again at a change.
+  static constexpr std::size_t kMostReplayed = 64;
 
   std::filesystem::path file_;
   /// What the changes begin from, once some have settled; else the file.
   std::optional<std::string> text_;
   LoadedScene loaded_;
   History history_;
+  std::optional<Checkpoint> checkpoint_;
 };
 
 }  // namespace delos::session

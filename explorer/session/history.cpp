@@ -41,6 +41,7 @@ void History::add(std::vector<Override> changes, const std::string& gesture) {
   if (steps_.size() > kMostSteps) {
     for (Override& change : steps_.front().changes) put(settled_, std::move(change));
     steps_.pop_front();
+    ++settled_steps_;
   }
   done_ = steps_.size();
 }
@@ -63,10 +64,17 @@ void History::end_gesture() {
   if (done_ > 0) steps_[done_ - 1].gesture.clear();
 }
 
+std::vector<Override> History::changes_after(std::size_t steps) const {
+  std::vector<Override> all;
+  for (std::size_t i = steps - settled_steps_; i < done_; ++i)
+    all.insert(all.end(), steps_[i].changes.begin(), steps_[i].changes.end());
+  return all;
+}
+
 std::vector<Override> History::changes() const {
   std::vector<Override> all = settled_;
-  for (std::size_t i = 0; i < done_; ++i)
-    all.insert(all.end(), steps_[i].changes.begin(), steps_[i].changes.end());
+  const std::vector<Override> later = changes_after(settled_steps_);
+  all.insert(all.end(), later.begin(), later.end());
   return all;
 }
 

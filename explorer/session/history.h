@@ -36,6 +36,13 @@ class History {
   /// They are in the scene by now.
   void forget_settled() { settled_.clear(); }
 
+  /// Steps that were ever taken and aren't undone.
+  [[nodiscard]] std::size_t steps() const { return settled_steps_ + done_; }
+  /// Those that are too long ago to be undone.
+  [[nodiscard]] std::size_t settled_steps() const { return settled_steps_; }
+  /// The changes of the steps after so many. @pre steps ≥ settled_steps()
+  [[nodiscard]] std::vector<Override> changes_after(std::size_t steps) const;
+
   /// All changes that aren't undone, in order.
   [[nodiscard]] std::vector<Override> changes() const;
 
@@ -47,6 +54,7 @@ class History {
   std::vector<Override> settled_;
   std::deque<Step> steps_;
   std::size_t done_ = 0;
+  std::size_t settled_steps_ = 0;
 };
 
 }  // namespace delos::session

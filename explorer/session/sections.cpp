@@ -6,12 +6,13 @@
 namespace delos::session {
 namespace {
 
-/// Samples along the two sides.
+/// Samples along the two sides; a sliver has no more than others.
 Eigen::Vector2i counts_of(const Section& section, std::size_t most) {
   const double u = section.u.norm(), v = section.v.norm();
   const double step = std::sqrt(u * v / static_cast<double>(most));
   const auto along = [&](double side) {
-    return std::max(2, 1 + static_cast<int>(side / step));
+    const double most_along = static_cast<double>(most) / 2;
+    return 1 + static_cast<int>(std::lround(std::clamp(side / step, 1.0, most_along)));
   };
   return {along(u), along(v)};
 }

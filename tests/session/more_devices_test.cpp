@@ -167,7 +167,7 @@ TEST(MoreDevices, SayWhyThereAreNone) {
 TEST(MoreDevices, LeaveNothingBehind) {
   Design design = design_of("01-acoustic");
   const std::string text = design.text();
-  for (int i = 0; i < 700; ++i) {
+  for (int i = 0; i < 400; ++i) {
     take(design, copying(design.loaded(), "s1", {0.01, 0, 0}));
     take(design, removing(design.loaded(), "s1_2"));
     ASSERT_LE(design.history().settled().size(), Design::kMostSettled + 1);

@@ -102,7 +102,10 @@ export class App {
       say: (text) => this.layout.handSays(text),
     });
     this.answers = new Answers(this.shown, this.viewing, {
-      drawn: () => this.render(),
+      drawn: () => {
+        this.render();
+        if (this.viewing.compare === 'beside') this.described(); // the other one's devices
+      },
       answered: () => this.showProbe(),
       uncertain: () => this.showUncertainty(),
       valued: (worth) => this.layout.devices.value(worth),

@@ -1,10 +1,10 @@
 // Figures of Allen's dissertation (2007), sections 4.2 and 4.4, in the page; expected numbers
 // were computed by an independent script.
 import assert from 'node:assert/strict';
-import { mkdtempSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { picture, probed, range, scenes, settled } from './browser.mjs';
+import { delos, picture, probed, range, scenes, settled } from './browser.mjs';
 import { box, number, openScene, setValue, test } from './steps.mjs';
 
 /** Figure 4.5, left. */
@@ -87,73 +87,114 @@ const between = async (page, from, to) => {
   return Number(await page.getAttribute('#between-count', 'data-count'));
 };
 
-await test('isosurfaces, interval volumes, image planes', [], async (page) => {
+const setText = async (page, label, text) => {
+  await page.fill(`[aria-label="${label}"]`, text);
+  await page.press(`[aria-label="${label}"]`, 'Enter');
+};
+
+/** Move the slice across an axis to a layer. @returns the range of its values */
+async function plane(page, axis, layer) {
+  await page.$eval(
+    `[aria-label="Place of the slice across ${axis}"]`,
+    (input, n) => {
+      input.value = String(n);
+      input.dispatchEvent(new Event('input'));
+    },
+    layer,
+  );
+  return page.$eval(`.slice-range[data-axis=${axis}]`, (e) => [Number(e.dataset.min), Number(e.dataset.max)]);
+}
+
+const least = '-1.9 log m'; // below all
+
+// Speakers above the corners of the volume.
+await test('node counts', [], async (page) => {
   await openScene(page, '01-acoustic');
-  await setValue(page, 'sample.volume.step', '0.01');
+  for (const [name, x, y] of [['s1', 0, 0], ['s2', 0.4, 0], ['s3', 0, 0.4], ['s4', 0.4, 0.4]])
+    await setValue(page, `devices.${name}.at`, `[${x}, ${y}, 1.0485]`);
+  await setValue(page, 'sample.volume', '{min: [0, 0, 0], max: [0.4, 0.4, 0.8], step: 0.01}');
+  const [low, high] = (await range(page)).map(Math.log10);
+  assert.ok(Math.abs(low + 1.77086) < 6e-6 && Math.abs(high + 1.08771) < 6e-6);
+  assert.equal(await between(page, least, '-1.76 log m'), 122);
+  assert.equal(await between(page, least, '-1.6 log m'), 20637);
+  assert.equal(await between(page, '-1.77 log m', '-1.4 log m'), 59689);
+  assert.equal(await between(page, '-1.4 log m', '-1.08 log m'), 76463);
+  await page.selectOption('#view-body', 'none');
+  for (const [layer, from, to] of [[60, 27.5234e-3, 32.9385e-3], [40, 41.6892e-3, 46.4208e-3]]) {
+    const [a, b] = await plane(page, 'z', layer);
+    near(a, from, `layer ${layer}`);
+    near(b, to, `layer ${layer}`);
+  }
+});
+
+/** How many values of a field lie between two powers of ten, says the command line. */
+function counted(file, sets, from, to) {
+  const out = join(mkdtempSync(join(tmpdir(), 'delos-field-')), 'field.json');
+  delos('field', file, '--out', out, ...sets);
+  const { columns, values } = JSON.parse(readFileSync(out, 'utf8'));
+  const k = columns.indexOf('value');
+  return values.filter((row) => row[k] >= 10 ** from && row[k] <= 10 ** to).length;
+}
+
+await test('isosurfaces, interval volumes, image planes', [], async (page) => {
+  const file = join(scenes, '01-acoustic.yaml');
+  const step = 'sample.volume.step';
+  await openScene(page, '01-acoustic');
+  await setValue(page, step, '0.01');
   await page.check('#view-logarithmic');
   await page.selectOption('#view-units', 'log10');
-  const [low, high] = (await range(page)).map(Math.log10);
-  near(low / 1e3, -1.77086 / 1e3, 'least');
-  near(high / 1e3, -1.08771 / 1e3, 'greatest');
-  const least = '-1.771 log m';
+  await page.uncheck('#view-frusta');
   const pictured = async (name) => {
     await page.focus('#viewport canvas');
     await page.waitForTimeout(1500);
     await picture(page, name);
   };
-
-  assert.equal(await between(page, least, '-1.76 log m'), 122);
-  assert.equal(await between(page, least, '-1.6 log m'), 20637);
-  for (const axis of ['z']) await page.keyboard.press(axis);
-  assert.equal(await between(page, '-1.77 log m', '-1.4 log m'), 59689);
-  await page.focus('#viewport canvas');
   await page.keyboard.press('z');
-  await pictured('figure-4.9-left');
-  assert.equal(await between(page, '-1.4 log m', '-1.08 log m'), 76463);
-  await pictured('figure-4.9-right');
+  assert.equal(await between(page, '-1.77 log m', '-1.4 log m'), counted(file, ['--set', `${step}=0.01`], -1.77, -1.4));
+  await pictured('artemis-interval-low');
+  assert.equal(await between(page, '-1.4 log m', '-1.08 log m'), counted(file, ['--set', `${step}=0.01`], -1.4, -1.08));
+  await pictured('artemis-interval-high');
 
   await page.selectOption('#view-body', 'none');
-  const level = async (text) => {
-    await page.check('#view-surface');
-    await page.fill('[aria-label="Level of the surface, value"]', text);
-    await page.press('[aria-label="Level of the surface, value"]', 'Enter');
-  };
-  await level('-1.6 log m');
-  await pictured('figure-4.8-right');
-  await level('-1.76 log m');
+  await page.check('#view-surface');
+  await setText(page, 'Level of the surface, value', '-1.6 log m');
+  await pictured('artemis-isosurface');
+  await setText(page, 'Level of the surface, value', '-1.76 log m');
   await page.selectOption('#view-body', 'volume');
-  await pictured('figure-4.8-left');
+  await pictured('artemis-isosurface-low');
   await page.selectOption('#view-body', 'none');
   await page.uncheck('#view-surface');
+  await page.focus('#viewport canvas');
+  for (const axis of ['z', 'x']) await page.keyboard.press(axis);
+  await plane(page, 'z', 100);
+  await plane(page, 'x', 35);
+  await pictured('artemis-planes');
+  await page.keyboard.press('z');
+  await page.keyboard.press('Shift+X');
+  await page.waitForSelector('.slant');
+  await settled(page);
+  await pictured('artemis-slanted');
 
-  const plane = async (axis, at) => {
-    await page.$eval(
-      `[aria-label="Place of the slice across ${axis}"]`,
-      (input, n) => {
-        input.value = String(n);
-        input.dispatchEvent(new Event('input'));
-      },
-      at,
-    );
-    return page.$eval(`.slice-range[data-axis=${axis}]`, (e) => [Number(e.dataset.min), Number(e.dataset.max)]);
-  };
-  await page.keyboard.press('z');
-  const upper = await plane('z', 60);
-  near(upper[0], 27.5234e-3, 'plane z = 0.6');
-  near(upper[1], 32.9385e-3, 'plane z = 0.6');
+  // The region below −1.76 log m lies between 0.228 and 0.192 m below the speakers.
+  await page.click('[aria-label="Take slanted slice 1 away"]');
+  await page.focus('#viewport canvas');
   await page.keyboard.press('x');
-  await plane('x', 35);
-  await pictured('figure-4.10-left');
-  const lower = await plane('z', 40);
-  near(lower[0], 41.6892e-3, 'plane z = 0.4');
-  near(lower[1], 46.4208e-3, 'plane z = 0.4');
-  await page.keyboard.press('z');
-  await pictured('figure-4.10-right');
+  for (const [z, there] of [[0.98, false], [0.99, true], [1.02, true], [1.025, false]]) {
+    await setValue(page, 'sample.volume', `{min: [0, 0, ${z}], max: [0.4, 0.4, ${z}], step: 0.005}`);
+    assert.equal(Math.log10((await range(page))[0]) < -1.76, there, `${z} m`);
+  }
+  await setValue(page, 'sample.volume', '{min: [0.08, 0.08, 0.97], max: [0.32, 0.32, 1.04], step: 0.0025}');
+  await page.check('#view-surface');
+  await setText(page, 'Level of the surface, value', '-1.76 log m');
+  await page.keyboard.press('f');
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('7');
+  await pictured('artemis-pincushion');
 });
 
 await test('objects', [join(scenes, '07-torso.yaml')], async (page) => {
   await settled(page);
-  await picture(page, 'figure-4.12-left');
+  await picture(page, 'artemis-torso');
   // Two cameras and three make two bands, which the colours must keep apart.
   const seen = async (from, to) => between(page, from, to);
   assert.equal(await seen('294.38 um', '308.89 um'), 412);
@@ -170,5 +211,5 @@ await test('objects', [join(scenes, '07-torso.yaml')], async (page) => {
   await settled(page);
   for (const [cameras, vertices] of [[0, 719], [1, 299], [2, 300], [3, 412]])
     assert.equal(await seen(String(cameras - 0.1), String(cameras + 0.1)), vertices, `${cameras} cameras`);
-  await picture(page, 'figure-4.12-right');
+  await picture(page, 'artemis-torso-coverage');
 });

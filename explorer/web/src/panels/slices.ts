@@ -44,7 +44,7 @@ export class SlicesPanel {
     this.buttons = axes.map((name, k) =>
       h('button', { type: 'button', onclick: () => this.toggle(k), 'aria-label': `Slice across ${name}` }, name),
     );
-    const slant = h('button', { type: 'button', 'aria-label': 'Add a slanted slice', onclick: () => this.addSlant() }, '+ ⟋');
+    const slant = h('button', { type: 'button', 'aria-label': 'Add a slanted slice', onclick: () => this.addSlant() }, '+ /');
     this.element = h(
       'div',
       {},

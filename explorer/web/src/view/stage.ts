@@ -92,8 +92,19 @@ export class Stage {
 
   /** Two halves with one camera; null: one picture. @param left, right shown in one of them */
   split(halves: { left: Object3D; right: Object3D } | null): void {
+    const others = (halves === null) !== (this.beside === null);
     this.beside = halves;
+    if (!others) return;
+    this.comeNearer(halves ? 0.5 : 2);
     this.resize();
+  }
+
+  /** So that a picture of another width shows as much. @param wider times as wide */
+  private comeNearer(wider: number): void {
+    const { camera, orbit } = this;
+    const part = (aspect: number) => Math.min(1, aspect);
+    const factor = part(camera.aspect) / part(camera.aspect * wider);
+    if (orbit.enabled) camera.position.sub(orbit.target).multiplyScalar(factor).add(orbit.target);
   }
   get halved(): boolean {
     return this.beside !== null;
@@ -226,7 +237,7 @@ export class Stage {
     this.labels.domElement.style.left = `${width - part}px`;
     this.camera.aspect = part / height;
     // The room stands in the middle of what the colour bar leaves free.
-    this.camera.setViewOffset(part, height, this.beside ? 0 : barWidth / 2, 0, part, height);
+    this.camera.setViewOffset(part, height, barWidth / 2, 0, part, height);
     this.draw();
   }
 }

@@ -8,9 +8,10 @@ import {
   Data3DTexture,
   FloatType,
   GLSL3,
+  LinearFilter,
   Matrix4,
   Mesh,
-  RGFormat,
+  RGBAFormat,
   ShaderMaterial,
   Texture,
   Vector2,
@@ -30,13 +31,15 @@ void main() {
 `;
 
 /** A ray goes from where it enters the box to what is opaque. Values are blended between the
- * samples that have one; nearest to a sample that has none there is none: such places are grey
- * in a cloud, and no part of a body. */
+ * samples that have one, by a texture of (value, 1, 0) where there is one, (0, 0, 1) within
+ * solids and (0, 0, 0) where it is blind: the first is divided by the second. Where less than
+ * half of the weight has a value there is none: such places are grey in a cloud, and no part of
+ * a body. */
 const fragmentShader = /* glsl */ `
 precision highp float;
 precision highp sampler2D;
 precision highp sampler3D;
-uniform sampler3D samples;  // value, Drawn
+uniform sampler3D samples;
 uniform sampler2D opaqueDepth;
 uniform vec2 picture, corner;    // pixels
 uniform vec3 counts, size, eye;  // eye in the box
@@ -47,32 +50,19 @@ in vec3 place;
 out vec4 colour;
 ${scaleShader}
 ${blindShader}
-const int steps = 160;
+uniform int steps;
 
-/** The value at a place of the box, and how the nearest sample is drawn. */
+/** The value at a place of the box, and how much of the weight has one; less than 0: it is
+ * within a solid. */
 vec2 look(vec3 at) {
-  vec3 s = clamp(at, 0.0, 1.0) * (counts - 1.0);
-  ivec3 last = ivec3(counts) - 1;
-  vec2 nearest = texelFetch(samples, min(ivec3(s + 0.5), last), 0).xy;
-  if (nearest.y < 0.5 || nearest.y > 1.5) return nearest;
-  ivec3 low = ivec3(s);
-  vec3 part = s - vec3(low);
-  float sum = 0.0, weights = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    ivec3 d = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-    vec2 c = texelFetch(samples, min(low + d, last), 0).xy;
-    vec3 w = mix(1.0 - part, part, vec3(d));
-    if (c.y > 0.5 && c.y < 1.5) {
-      sum += w.x * w.y * w.z * c.x;
-      weights += w.x * w.y * w.z;
-    }
-  }
-  return vec2(sum / weights, 1.0);
+  vec3 s = (clamp(at, 0.0, 1.0) * (counts - 1.0) + 0.5) / counts;
+  vec4 sum = texture(samples, s);
+  return vec2(sum.x / max(sum.y, 1e-6), sum.z > 0.5 ? -1.0 : sum.y);
 }
 
 bool within(vec3 at) {
   vec2 v = look(at);
-  return v.y > 0.5 && v.y < 1.5 && v.x >= between.x && v.x <= between.y;
+  return v.y >= 0.5 && v.x >= between.x && v.x <= between.y;
 }
 
 /** Where along the ray the opaque begins: in units of its direction. */
@@ -98,8 +88,8 @@ void main() {
     vec3 at = eye + t * direction;
     if (cloud) {
       vec2 v = look(at);
-      bool finite = v.y > 0.5 && v.y < 1.5;
-      if (v.y > 1.5 && v.y < 2.5) continue;
+      if (v.y < 0.0) continue;
+      bool finite = v.y >= 0.5;
       float good = brightIsLarge ? partOf(v.x) : 1.0 - partOf(v.x);
       float density = finite ? 0.6 + 9.0 * pow(good, 3.0) : 1.6;
       float alpha = 1.0 - exp(-density * way);
@@ -139,16 +129,16 @@ void main() {
 `;
 
 function textureOf(field: Field, part: GridPart): Data3DTexture {
-  const texels = new Float32Array(2 * part.count);
+  const texels = new Float32Array(4 * part.count);
   for (let i = 0; i < part.count; ++i) {
     const drawn = field.mask[part.first + i]!;
-    texels[2 * i] = drawn === Drawn.value ? field.values[part.first + i]! : 0;
-    texels[2 * i + 1] = drawn;
+    if (drawn === Drawn.value) texels.set([field.values[part.first + i]!, 1], 4 * i);
+    else if (drawn === Drawn.inside) texels[4 * i + 2] = 1;
   }
   const texture = new Data3DTexture(texels, ...part.counts);
-  texture.format = RGFormat;
+  texture.format = RGBAFormat;
   texture.type = FloatType;
-  texture.unpackAlignment = 4;
+  texture.minFilter = texture.magFilter = LinearFilter;
   texture.needsUpdate = true;
   return texture;
 }
@@ -181,6 +171,7 @@ export class Volume {
         toClip: { value: this.clip },
         toBox: { value: new Matrix4() },
         cloud: { value: true },
+        steps: { value: 64 },
         between: { value: new Vector2() },
       },
     });
@@ -203,6 +194,8 @@ export class Volume {
     uniforms.counts!.value.set(...part.counts);
     uniforms.size!.value.set(...size);
     uniforms.cloud!.value = between === null;
+    // A body's edge is then found by halving.
+    uniforms.steps!.value = Math.min(128, Math.max(48, 2 * Math.max(...part.counts)));
     if (between) uniforms.between!.value.set(...between.map((x) => Math.min(3e38, Math.max(-3e38, x))));
     applyScale(this.mesh.material, scale);
     this.mesh.material.depthWrite = between !== null; // what lies behind a cloud shows
