@@ -204,7 +204,7 @@ export class App {
     const { shown, picture } = this;
     if (!shown.field || !shown.description) return;
     const { drawn, scale, marks } = picture.drawField(shown, this.colours);
-    this.layout.field(shown, drawn, scale, marks, this.viewing);
+    this.layout.field(shown, drawn, scale, marks, this.viewing, picture.latticeEnlarged);
     picture.stage.describe(words(drawn));
     picture.stage.draw();
   }

@@ -201,11 +201,11 @@ export class Layout {
 
   /** @param drawn what the colours are of: the design's field, or its difference
    *  @param marks values that are marked on the bar */
-  field(shown: Shown, drawn: Field, scale: Scale | null, marks: number[], viewing: Viewing): void {
+  field(shown: Shown, drawn: Field, scale: Scale | null, marks: number[], viewing: Viewing, enlarged: number): void {
     const field = shown.field!;
     const { summary } = field;
     this.bar.show(drawn, scale, marks, viewing.units);
-    this.viewingPanel.show(drawn, scale, shown.blind);
+    this.viewingPanel.show(drawn, scale, shown.blind, enlarged);
     this.compare.show(shown.description!.pinned !== null, shown.difference?.summary ?? null);
     const unit = summary.metric.unit;
     const best = field.largerIsBetter ? summary.max : summary.min;

@@ -67,6 +67,8 @@ export class Picture {
   private readonly baselineIcons = new Icons();
   /** By how much ellipsoids are enlarged: that of the point. */
   enlarged = 0;
+  /** That of the lattice's. */
+  latticeEnlarged = 0;
 
   constructor(
     host: HTMLElement,
@@ -118,7 +120,8 @@ export class Picture {
     if (viewing.blind && blind) this.uncertainty.add(blindBoxes(blind, colours.lost));
     if (!viewing.lattice || !lattice || lattice.points.length === 0) return;
     const spacing = spacingOf(lattice.points.map((p) => p.at));
-    const { group } = latticeObject(lattice, viewing.sigmas, spacing, colours.edge, colours.lost);
+    const { group, scale } = latticeObject(lattice, viewing.sigmas, spacing, colours.edge, colours.lost);
+    this.latticeEnlarged = scale;
     this.uncertainty.add(group);
   }
 

@@ -36,6 +36,7 @@ await test('planes, volumes and colours', [], async (page) => {
   assert.ok(between.drawn > none.drawn && between.drawn < cloud.drawn);
   await page.selectOption('#view-body', 'none');
 
+  await page.focus('#viewport canvas');
   await page.keyboard.press('z');
   await page.selectOption('#view-map', 'inferno');
   await page.check('#view-reversed');

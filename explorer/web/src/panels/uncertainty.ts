@@ -1,6 +1,6 @@
 // How well the position is known, as bodies; and where it isn't, with the reason.
 import { h } from '../dom';
-import { counted } from '../quantity';
+import { counted, digits } from '../quantity';
 import type { BlindRegions } from '../server';
 import type { Viewing } from '../viewing';
 import { check, choice } from './details';
@@ -10,6 +10,7 @@ export class UncertaintyPanel {
   private readonly lattice: HTMLInputElement;
   private readonly blind: HTMLInputElement;
   private readonly sigmas: HTMLSelectElement;
+  private readonly enlarged = h('p', { className: 'hint' });
   private readonly regions = h('ol', { className: 'regions', id: 'blind-regions' });
 
   constructor(
@@ -24,14 +25,16 @@ export class UncertaintyPanel {
     const [blindLabel, blind] = check('view-blind', 'blind regions', (on) => set({ blind: on }));
     const [sigmaRow, sigmas] = choice('view-sigmas', 'Ellipsoids of', { 1: '1 σ (20 %)', 2: '2 σ (74 %)', 3: '3 σ (97 %)' }, (n) => set({ sigmas: Number(n) }));
     [this.lattice, this.blind, this.sigmas] = [lattice, blind, sigmas];
-    this.element = h('div', {}, h('div', { className: 'checks' }, latticeLabel, blindLabel), sigmaRow, this.regions);
+    this.element = h('div', {}, h('div', { className: 'checks' }, latticeLabel, blindLabel), sigmaRow, this.enlarged, this.regions);
   }
 
-  show(regions: BlindRegions | null): void {
+  /** @param scale by which the lattice's ellipsoids are enlarged; 0: there are none */
+  show(regions: BlindRegions | null, scale: number): void {
     const { viewing } = this;
     this.lattice.checked = viewing.lattice;
     this.blind.checked = viewing.blind;
     this.sigmas.value = String(viewing.sigmas);
+    this.enlarged.textContent = viewing.lattice && scale > 0 ? `Ellipsoids are drawn ${digits(scale, 1)} times as large.` : '';
     this.regions.hidden = !viewing.blind || !regions;
     if (!regions) return;
     this.regions.replaceChildren(

@@ -47,11 +47,11 @@ export class ViewingPanel {
     this.changed();
   }
 
-  show(field: Field, scale: Scale | null, regions: BlindRegions | null): void {
+  show(field: Field, scale: Scale | null, regions: BlindRegions | null, enlarged: number): void {
     this.slices.show(field);
     this.bodies.show(field, scale);
     this.colouring.show(field);
-    this.uncertainty.show(regions);
+    this.uncertainty.show(regions, enlarged);
     this.frusta.checked = this.viewing.frusta;
     this.names.checked = this.viewing.names;
   }

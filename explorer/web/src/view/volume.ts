@@ -195,7 +195,7 @@ export class Volume {
     uniforms.size!.value.set(...size);
     uniforms.cloud!.value = between === null;
     // A body's edge is then found by halving.
-    uniforms.steps!.value = Math.min(128, Math.max(48, 2 * Math.max(...part.counts)));
+    uniforms.steps!.value = Math.min(96, Math.max(40, 1.5 * Math.max(...part.counts)));
     if (between) uniforms.between!.value.set(...between.map((x) => Math.min(3e38, Math.max(-3e38, x))));
     applyScale(this.mesh.material, scale);
     this.mesh.material.depthWrite = between !== null; // what lies behind a cloud shows
