@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "delos/device/faults.h"
+#include "server/request.h"
 #include "server/verbs.h"
 
 namespace delos::server {

@@ -18,15 +18,22 @@ namespace delos::server {
 ///
 /// GET  /api/scenes                                 → {first, scenes: [{id, about}]}
 /// POST /api/open      {scene}                      → {session, description()}
-/// POST /api/describe  {session}                    → description()
-/// POST /api/around    {session}                    → surroundings()
-/// POST /api/change    {session, set: [{path, value}], gesture}     → description()
-/// POST /api/place     {session, device, p, R, gesture}             → description()
-/// POST /api/undo, /api/redo  {session}             → description()
-/// POST /api/field     {session, most}              → packed()
-/// POST /api/point     {session, at}                → {point: point_json(), words,
-/// ellipsoid} POST /api/worth     {session}                    → worth_json() POST
-/// /api/text      {session}                    → the scene as YAML
+///
+/// Of a design, POST with {session, …}:
+///
+///   describe, around, pinned                 → description(), surroundings(), or that
+///                                              of what is pinned
+///   change  {set: [{path, value}], gesture}  → description(), as all that change
+///   place   {device, p, R, gesture}
+///   add     {type, preset, at}, copy {device, by}, mirror {device, axis}, remove
+///   {device} undo, redo, pin, unpin field   {most, of: pinned}               →
+///   packed() difference {most}                        → packed(), of draw_difference()
+///   sections {sections: [{origin, u, v}], most}  → packed()
+///   point   {at}     → {point: point_json(), words, ellipsoid, lost}
+///   lattice {most}   → {points: lattice_json()}
+///   blind, worth     → blind_json(), worth_json()
+///   palette          → palette_json()
+///   text             → the scene as YAML
 ///
 /// A change stops what is being worked out of the design before; the newest request of
 /// field, point or worth takes the place of the one before, which is answered by 409.

@@ -2,7 +2,6 @@
 // request.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "server/reply.h"
@@ -31,12 +30,26 @@ struct Verb {
 /// The description of a visitor's design as it is now.
 [[nodiscard]] Json described(Visitor& visitor, PluginRegistry& plugins);
 
-/// Thrown by what reads a request: one sentence that says what is missing.
-class BadRequest : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+// Those that change the design or what it is compared with; each answers with the
+// description of what came of it. @throws BadRequest
+[[nodiscard]] Reply change(const Work& work);
+[[nodiscard]] Reply place(const Work& work);
+[[nodiscard]] Reply add(const Work& work);
+[[nodiscard]] Reply copy(const Work& work);
+[[nodiscard]] Reply mirror(const Work& work);
+[[nodiscard]] Reply remove(const Work& work);
+[[nodiscard]] Reply undo(const Work& work);
+[[nodiscard]] Reply redo(const Work& work);
+[[nodiscard]] Reply pin(const Work& work);
+[[nodiscard]] Reply unpin(const Work& work);
 
-/// The text under a key. @throws BadRequest
-[[nodiscard]] std::string text_at(const Json& request, const char* key);
+// Those that work something out of it. @throws BadRequest
+[[nodiscard]] Reply field(const Work& work);
+[[nodiscard]] Reply difference(const Work& work);
+[[nodiscard]] Reply sections(const Work& work);
+[[nodiscard]] Reply point(const Work& work);
+[[nodiscard]] Reply lattice(const Work& work);
+[[nodiscard]] Reply blind(const Work& work);
+[[nodiscard]] Reply worth(const Work& work);
 
 }  // namespace delos::server

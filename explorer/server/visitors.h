@@ -8,9 +8,11 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "session/design.h"
+#include "session/difference.h"
 
 namespace delos::server {
 
@@ -19,6 +21,12 @@ using Strand = boost::asio::strand<boost::asio::thread_pool::executor_type>;
 /// A request to stop, shared by who works and who asks.
 using Stop = std::shared_ptr<std::atomic<bool>>;
 
+/// A design that others are compared with.
+struct Pinned {
+  session::Baseline baseline;
+  session::Json description;  ///< as it was then
+};
+
 /// A tab: its design, the strand on which all that touches the design runs, and what is
 /// being worked out of it.
 class Visitor {
@@ -26,8 +34,9 @@ class Visitor {
   Visitor(session::Design opened, Strand on)
       : design(std::move(opened)), strand(std::move(on)) {}
 
-  session::Design design;      ///< on the strand only
-  std::uint64_t revision = 0;  ///< likewise; grows with each change
+  session::Design design;        ///< on the strand only
+  std::uint64_t revision = 0;    ///< likewise; grows with each change
+  std::optional<Pinned> pinned;  ///< likewise
   Strand strand;
 
   /// The newest request of a kind takes the place of the one before.

@@ -90,6 +90,8 @@ Json body_json(const OccluderEntry& entry) {
           {"triangles", std::move(triangles)}};
 }
 
+}  // namespace
+
 Eigen::AlignedBox3d sample_box(const Scene& scene) {
   if (const AdaptiveSampling* adaptive = adaptive_sampling(scene))
     return {adaptive->min, adaptive->max};
@@ -97,8 +99,6 @@ Eigen::AlignedBox3d sample_box(const Scene& scene) {
   for (const Eigen::Vector3d& p : make_samples(scene.samples).points) box.extend(p);
   return box;
 }
-
-}  // namespace
 
 Eigen::AlignedBox3d room_box(const LoadedScene& loaded) {
   Eigen::AlignedBox3d box = sample_box(loaded.scene);

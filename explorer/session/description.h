@@ -28,6 +28,9 @@ namespace delos::session {
 /// Occluders are placed in the world, carried ones in the target's frame.
 [[nodiscard]] Json surroundings(const Design& design);
 
+/// Around all samples, metres.
+[[nodiscard]] Eigen::AlignedBox3d sample_box(const Scene& scene);
+
 /// Around all samples and devices' places in the world, metres.
 [[nodiscard]] Eigen::AlignedBox3d room_box(const LoadedScene& loaded);
 

@@ -35,12 +35,43 @@ bool Design::redo(PluginRegistry& plugins) {
 
 bool Design::take(const History& history, PluginRegistry& plugins,
                   Diagnostics& findings) {
+  keep_up_with(history);
   std::optional<LoadedScene> loaded =
-      load(file_, history.changes(), plugins, findings, {}, &loaded_.system);
+      checkpoint_
+          ? load({file_, checkpoint_->text, history.changes_after(checkpoint_->steps)},
+                 plugins, findings, {}, &loaded_.system)
+          : with(history.changes(), plugins, findings);
   if (!loaded) return false;
   loaded_ = std::move(*loaded);
   history_ = history;
+  if (history_.settled().size() > kMostSettled) settle(plugins);
   return true;
+}
+
+/// A checkpoint that isn't on the way to a history any more goes; where a step begins
+/// that is far from the last one, what there is now becomes one.
+void Design::keep_up_with(const History& history) {
+  if (checkpoint_ && (history.steps() < checkpoint_->steps ||
+                      history.settled_steps() > checkpoint_->steps))
+    checkpoint_.reset();
+  const std::size_t from = checkpoint_ ? checkpoint_->steps : history_.settled_steps();
+  if (history.steps() > history_.steps() && history_.steps() - from >= kMostReplayed)
+    checkpoint_ = {history_.steps(), text()};
+}
+
+std::optional<LoadedScene> Design::with(const std::vector<Override>& changes,
+                                        PluginRegistry& plugins,
+                                        Diagnostics& findings) const {
+  return load({file_, text_, changes}, plugins, findings, {}, &loaded_.system);
+}
+
+/// Put settled changes into the text that the others begin from.
+void Design::settle(PluginRegistry& plugins) {
+  Diagnostics ignored;
+  const auto base = with(history_.settled(), plugins, ignored);
+  if (!base) return;  // alone they needn't be in order: they stay as they are
+  text_ = write_scene(with_absolute_files(base->scene, file_.parent_path()));
+  history_.forget_settled();
 }
 
 std::string Design::text() const {

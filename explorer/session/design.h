@@ -14,6 +14,10 @@ namespace delos::session {
 /// A scene file and what was changed since, each change as `--set` would make it.
 class Design {
  public:
+  /// Changes that settle before they become a part of the text that changes begin from,
+  /// so that neither memory nor the time of a change grows with those made.
+  static constexpr std::size_t kMostSettled = 200;
+
   /// @returns nullopt where the findings hold an error
   /// @throws as load()
   [[nodiscard]] static std::optional<Design> open(const std::filesystem::path& file,
@@ -40,10 +44,26 @@ class Design {
  private:
   Design(std::filesystem::path file, LoadedScene loaded);
   bool take(const History& history, PluginRegistry& plugins, Diagnostics& findings);
+  [[nodiscard]] std::optional<LoadedScene> with(const std::vector<Override>& changes,
+                                                PluginRegistry& plugins,
+                                                Diagnostics& findings) const;
+  void settle(PluginRegistry& plugins);
+  void keep_up_with(const History& history);
+
+  /// A scene on the way, so that a change needn't begin from the file.
+  struct Checkpoint {
+    std::size_t steps;  ///< History::steps() of it
+    std::string text;
+  };
+  /// Steps that are read again at a change.
+  static constexpr std::size_t kMostReplayed = 64;
 
   std::filesystem::path file_;
+  /// What the changes begin from, once some have settled; else the file.
+  std::optional<std::string> text_;
   LoadedScene loaded_;
   History history_;
+  std::optional<Checkpoint> checkpoint_;
 };
 
 }  // namespace delos::session

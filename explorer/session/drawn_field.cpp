@@ -13,25 +13,6 @@ namespace {
 /// Samples of the grid that an octree is drawn on.
 constexpr std::size_t kOctreeSamples = 120'000;
 
-/// A grid of about `most` samples or fewer over the box from min to max, as even along
-/// all axes as may be.
-VolumeSampling grid_over(const Eigen::Vector3d& min, const Eigen::Vector3d& max,
-                         std::size_t most) {
-  const Eigen::Array3d size = (max - min).array();
-  const auto cells_at = [&](double step) {
-    return (size / step).floor().max((size > 0).cast<double>()).eval();
-  };
-  double fine = size.maxCoeff() * 1e-4, rough = size.maxCoeff();
-  for (int i = 0; i < 40 && rough > 0; ++i) {
-    const double step = std::sqrt(fine * rough);
-    ((cells_at(step) + 1).prod() > static_cast<double>(most) ? fine : rough) = step;
-  }
-  const Eigen::Array3d cells = rough > 0 ? cells_at(rough) : Eigen::Array3d::Ones();
-  const Eigen::Array3d step = (size > 0).select(size / cells.max(1), 1.0);
-  // Rounding must not lose the last layer.
-  return {min, max + 1e-9 * step.matrix(), step.matrix()};
-}
-
 VolumeSampling coarser_volume(const VolumeSampling& box, std::size_t most) {
   // A step that doesn't divide the box leaves a rest without samples.
   const Eigen::Vector3d last =
@@ -120,6 +101,23 @@ struct ShapeJson {
 
 }  // namespace
 
+VolumeSampling grid_over(const Eigen::Vector3d& min, const Eigen::Vector3d& max,
+                         std::size_t most) {
+  const Eigen::Array3d size = (max - min).array();
+  const auto cells_at = [&](double step) {
+    return (size / step).floor().max((size > 0).cast<double>()).eval();
+  };
+  double fine = size.maxCoeff() * 1e-4, rough = size.maxCoeff();
+  for (int i = 0; i < 40 && rough > 0; ++i) {
+    const double step = std::sqrt(fine * rough);
+    ((cells_at(step) + 1).prod() > static_cast<double>(most) ? fine : rough) = step;
+  }
+  const Eigen::Array3d cells = rough > 0 ? cells_at(rough) : Eigen::Array3d::Ones();
+  const Eigen::Array3d step = (size > 0).select(size / cells.max(1), 1.0);
+  // Rounding must not lose the last layer.
+  return {min, max + 1e-9 * step.matrix(), step.matrix()};
+}
+
 std::vector<SampleSet> coarser(std::vector<SampleSet> sets, std::size_t most) {
   const std::size_t each = std::max<std::size_t>(8, most / sets.size());
   for (SampleSet& set : sets) {
@@ -136,6 +134,25 @@ std::vector<SampleSet> coarser(std::vector<SampleSet> sets, std::size_t most) {
   return sets;
 }
 
+Samples drawn_samples(const Scene& scene, std::size_t most, bool& fewer) {
+  fewer = most > 0 && count_of(scene.samples) > most;
+  if (adaptive_sampling(scene))
+    return make_samples(coarser(scene.samples, most > 0 ? most : kOctreeSamples));
+  return make_samples(fewer ? coarser(scene.samples, most) : scene.samples);
+}
+
+std::vector<Drawn> drawn_as(const Field& field) {
+  std::vector<Drawn> mask;
+  mask.reserve(field.value.size());
+  for (std::size_t i = 0; i < field.value.size(); ++i) {
+    const bool inside = !field.inside.empty() && field.inside[i] != 0;
+    mask.push_back(inside                          ? Drawn::inside
+                   : std::isfinite(field.value[i]) ? Drawn::value
+                                                   : Drawn::blind);
+  }
+  return mask;
+}
+
 DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
                       const FieldOptions& options) {
   DrawnField drawn;
@@ -147,6 +164,7 @@ DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
     drawn.field.scene = loaded.scene.name;
     drawn.summary = field_answer(loaded, drawn.field);
     drawn.coarse = true;
+    drawn.mask = drawn_as(drawn.field);
     return drawn;
   }
   Evaluation evaluation = evaluate_scene(loaded, options);
@@ -156,6 +174,7 @@ DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
     drawn.field = evaluation.octree->read(
         make_samples(coarser(loaded.scene.samples, kOctreeSamples)),
         ShadowEdges::exact);
+  drawn.mask = drawn_as(drawn.field);
   return drawn;
 }
 
@@ -163,22 +182,17 @@ std::string packed(const DrawnField& drawn, std::size_t revision) {
   const Field& field = drawn.field;
   Arrays arrays;
   std::vector<double> values = field.value;
-  std::vector<unsigned char> mask;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool inside = !field.inside.empty() && field.inside[i] != 0;
-    const bool finite = std::isfinite(values[i]);
-    mask.push_back(static_cast<unsigned char>(inside   ? Drawn::inside
-                                              : finite ? Drawn::value
-                                                       : Drawn::blind));
-    if (inside || !finite) values[i] = std::numeric_limits<double>::quiet_NaN();
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (drawn.mask[i] != Drawn::value)
+      values[i] = std::numeric_limits<double>::quiet_NaN();
   Json head{{"revision", revision},
             {"level", drawn.coarse ? "coarse" : "full"},
             {"larger_is_better", field.larger_is_better},
             {"definition", to_string(field.definition)},
             {"summary", drawn.summary}};
   head["values"] = {{"at", arrays.add<float>(values)}, {"count", values.size()}};
-  head["mask"] = {{"at", arrays.add<unsigned char>(mask)}, {"count", mask.size()}};
+  head["mask"] = {{"at", arrays.add<unsigned char>(drawn.mask)},
+                  {"count", drawn.mask.size()}};
   head["parts"] = Json::array();
   for (const SamplePart& part : field.samples.parts) {
     Json json{{"name", part.name}, {"first", part.first}, {"count", part.count}};

@@ -2,16 +2,27 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "session/scene_field.h"
 
 namespace delos::session {
 
+/// How a value is to be drawn.
+enum class Drawn : unsigned char {
+  blind = 0,  ///< the metric has no finite value there
+  value = 1,
+  inside = 2,  ///< within a solid, where no target can be
+  gained = 3,  ///< of a difference: only the second has a value
+  lost = 4,    ///< of a difference: only the first has one
+};
+
 // NOLINTNEXTLINE(bugprone-exception-escape): nlohmann's moves don't throw
 struct DrawnField {
-  Field field;          ///< over grids where its scene is sampled adaptively
-  Json summary;         ///< field_answer() of the scene's own samples
-  bool coarse = false;  ///< over fewer samples than the scene's
+  Field field;              ///< over grids where its scene is sampled adaptively
+  Json summary;             ///< field_answer() of the scene's own samples
+  bool coarse = false;      ///< over fewer samples than the scene's
+  std::vector<Drawn> mask;  ///< one a sample
 };
 
 /// Evaluate a scene to be drawn.
@@ -26,12 +37,17 @@ struct DrawnField {
 [[nodiscard]] std::vector<SampleSet> coarser(std::vector<SampleSet> sets,
                                              std::size_t most);
 
-/// How a value is to be drawn.
-enum class Drawn : unsigned char {
-  blind = 0,  ///< the metric has no finite value there
-  value = 1,
-  inside = 2,  ///< within a solid, where no target can be
-};
+/// The samples that a scene is drawn on without its octree.
+/// @param most as draw_field() @param[out] fewer whether they are fewer than its own
+[[nodiscard]] Samples drawn_samples(const Scene& scene, std::size_t most, bool& fewer);
+
+/// A grid of about `most` samples or fewer over the box from min to max, metres, as
+/// even along all axes as may be.
+[[nodiscard]] VolumeSampling grid_over(const Eigen::Vector3d& min,
+                                       const Eigen::Vector3d& max, std::size_t most);
+
+/// How the values of a field are drawn.
+[[nodiscard]] std::vector<Drawn> drawn_as(const Field& field);
 
 /// "DLF1", the length of a JSON text as 32 bits, the text, filled up to four bytes,
 /// then its arrays, little-endian, where the text says, in bytes from its own end:

@@ -14,11 +14,15 @@ bool touch(const std::string& a, const std::string& b) {
          (longer.size() == shorter.size() || longer[shorter.size()] == '.');
 }
 
+/// "+" adds a member and "-" takes one away, each time.
+bool counts_members(const std::string& path) {
+  return path.ends_with(".+") || path.ends_with(".-");
+}
+
 /// Add a change to others; an earlier one of its path goes where none after it cares.
-/// "+" adds a member each time.
 void put(std::vector<Override>& all, Override change) {
-  const bool adds = change.path.find('+') != std::string::npos;
-  for (std::size_t i = all.size(); !adds && i-- > 0;) {
+  for (std::size_t i = all.size(); !counts_members(change.path) && i-- > 0;) {
+    if (counts_members(all[i].path)) break;  // what was called so may be another
     if (!touch(all[i].path, change.path)) continue;
     if (all[i].path == change.path)
       all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
@@ -37,6 +41,7 @@ void History::add(std::vector<Override> changes, const std::string& gesture) {
   if (steps_.size() > kMostSteps) {
     for (Override& change : steps_.front().changes) put(settled_, std::move(change));
     steps_.pop_front();
+    ++settled_steps_;
   }
   done_ = steps_.size();
 }
@@ -59,10 +64,17 @@ void History::end_gesture() {
   if (done_ > 0) steps_[done_ - 1].gesture.clear();
 }
 
+std::vector<Override> History::changes_after(std::size_t steps) const {
+  std::vector<Override> all;
+  for (std::size_t i = steps - settled_steps_; i < done_; ++i)
+    all.insert(all.end(), steps_[i].changes.begin(), steps_[i].changes.end());
+  return all;
+}
+
 std::vector<Override> History::changes() const {
   std::vector<Override> all = settled_;
-  for (std::size_t i = 0; i < done_; ++i)
-    all.insert(all.end(), steps_[i].changes.begin(), steps_[i].changes.end());
+  const std::vector<Override> later = changes_after(settled_steps_);
+  all.insert(all.end(), later.begin(), later.end());
   return all;
 }
 

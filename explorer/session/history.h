@@ -31,6 +31,18 @@ class History {
   [[nodiscard]] std::size_t undoable() const { return done_; }
   [[nodiscard]] std::size_t redoable() const { return steps_.size() - done_; }
 
+  /// Changes that are too long ago to be undone.
+  [[nodiscard]] const std::vector<Override>& settled() const { return settled_; }
+  /// They are in the scene by now.
+  void forget_settled() { settled_.clear(); }
+
+  /// Steps that were ever taken and aren't undone.
+  [[nodiscard]] std::size_t steps() const { return settled_steps_ + done_; }
+  /// Those that are too long ago to be undone.
+  [[nodiscard]] std::size_t settled_steps() const { return settled_steps_; }
+  /// The changes of the steps after so many. @pre steps ≥ settled_steps()
+  [[nodiscard]] std::vector<Override> changes_after(std::size_t steps) const;
+
   /// All changes that aren't undone, in order.
   [[nodiscard]] std::vector<Override> changes() const;
 
@@ -42,6 +54,7 @@ class History {
   std::vector<Override> settled_;
   std::deque<Step> steps_;
   std::size_t done_ = 0;
+  std::size_t settled_steps_ = 0;
 };
 
 }  // namespace delos::session

@@ -19,11 +19,25 @@ struct LoadedScene {
   Metric metric;
 };
 
-/// Load, override and build; findings are appended, warnings too. A scene without a
-/// name gets its file's.
+/// Where a scene comes from.
+struct SceneSource {
+  std::filesystem::path file;  ///< names it in messages; relative paths start there
+  std::optional<std::string> text = {};  ///< instead of the file's
+  std::vector<Override> changes = {};    ///< made in order before it is checked
+};
+
+/// Load, change and build; findings are appended, warnings too. A scene without a name
+/// gets its file's.
 /// @param previous as build_system()
 /// @returns nullopt where a finding is an error
 /// @throws as build_system()
+[[nodiscard]] std::optional<LoadedScene> load(const SceneSource& source,
+                                              PluginRegistry& plugins,
+                                              Diagnostics& diagnostics,
+                                              const MeshProgress& progress = {},
+                                              const System* previous = nullptr);
+
+/// The same of a file.
 [[nodiscard]] std::optional<LoadedScene> load(const std::filesystem::path& file,
                                               const std::vector<Override>& overrides,
                                               PluginRegistry& plugins,
@@ -31,14 +45,7 @@ struct LoadedScene {
                                               const MeshProgress& progress = {},
                                               const System* previous = nullptr);
 
-/// Where a scene comes from.
-struct SceneSource {
-  std::filesystem::path file;  ///< names it in messages; relative paths start there
-  std::optional<std::string> text;  ///< instead of the file's
-  std::vector<Override> changes;    ///< made in order before it is checked
-};
-
-/// The same of any source, without warnings.
+/// The same, without warnings.
 /// @throws Refusal with all findings where one is an error
 /// @throws as build_system()
 [[nodiscard]] LoadedScene load(const SceneSource& source, PluginRegistry& plugins);

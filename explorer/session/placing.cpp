@@ -16,13 +16,6 @@ std::string list_text(const Vector& v) {
   return text + "]";
 }
 
-/// The frame that a device's placement is in: X_WG.
-Pose frame_of(const Scene& scene, const DeviceEntry& device) {
-  for (const Group& group : scene.groups)
-    if (group.name == device.group) return pose_of(group.placement);
-  return {};
-}
-
 /// How the placement would say where it faces. @param X_GS wanted
 Override facing(const std::string& path, const Placement& placement, const Pose& X_GS) {
   if (const auto* aim = std::get_if<Aim>(&placement.facing)) {
@@ -39,6 +32,12 @@ Override facing(const std::string& path, const Placement& placement, const Pose&
 }
 
 }  // namespace
+
+Pose group_frame(const Scene& scene, const std::string& group) {
+  for (const Group& known : scene.groups)
+    if (known.name == group) return pose_of(known.placement);
+  return {};
+}
 
 // R = Rz(yaw)·Ry(pitch)·Rx(roll): its first column is (cy cp, sy cp, −sp), its last row
 // (−sp, cp sr, cp cr). Where cp = 0 only yaw ∓ roll is there to be found.
@@ -66,7 +65,7 @@ std::variant<std::vector<Override>, std::string> placing(
   Pose X_WS = device_pose(scene, *entry);
   if (p) X_WS.p = *p;
   if (R) X_WS.R = *R;
-  const Pose X_GS = frame_of(scene, *entry).inverse() * X_WS;
+  const Pose X_GS = group_frame(scene, entry->group).inverse() * X_WS;
   const std::string path = "devices." + device;
   std::vector<Override> changes;
   if (p) changes.push_back({path + ".at", list_text(X_GS.p)});

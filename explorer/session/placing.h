@@ -22,6 +22,10 @@ namespace delos::session {
     const Scene& scene, const std::string& device,
     const std::optional<Eigen::Vector3d>& p, const std::optional<Eigen::Matrix3d>& R);
 
+/// The frame that the members of a group are placed in: X_WG.
+/// @param group empty: the world
+[[nodiscard]] Pose group_frame(const Scene& scene, const std::string& group);
+
 /// (roll, pitch, yaw) of a rotation, radians; where the pitch is a right angle, without
 /// roll.
 [[nodiscard]] Eigen::Vector3d rpy_of(const Eigen::Matrix3d& R);

@@ -41,6 +41,7 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void send(int signal) const;
+  [[nodiscard]] pid_t pid() const { return pid_; }
   /// What it wrote to stderr so far.
   [[nodiscard]] std::string err() const;
   [[nodiscard]] bool ended();

@@ -158,6 +158,86 @@ TEST(Designs, DontHearEachOther) {
               2 + static_cast<int>(i));
 }
 
+/// Added to, mirrored and taken from, it is saved as a scene of the same numbers.
+TEST(Designs, HaveDevicesMoreAndFewer) {
+  const Explorer explorer;
+  const std::string session = explorer.open("02-eight-cameras")["session"];
+  const auto ask = [&](const std::string& verb, const Json& more) {
+    const Answer answer = explorer.ask(verb, session, more);
+    EXPECT_EQ(answer.status, 200) << answer.body;
+    return answer.json();
+  };
+  const std::string before = explorer.ask("text", session).body;
+  const Json palette = ask("palette", Json::object());
+  EXPECT_EQ(palette["types"].size(), run({"devices", "--json"}).json().size());
+  ask("add", {{"type", "pinhole_camera"}, {"at", {0.2, 0.2, 1.5}}});
+  ask("mirror", {{"device", "lower1"}, {"axis", "y"}});
+  ask("copy", {{"device", "upper1"}, {"by", {0.1, 0, 0}}});
+  const Json state = ask("remove", {{"device", "upper2"}});
+  EXPECT_EQ(state["devices"].size(), 10u);
+  const Json summary = head_of(explorer.ask("field", session))["summary"];
+  const Folder folder;
+  const auto file = folder.write("saved.yaml", explorer.ask("text", session).body);
+  EXPECT_EQ(lasting(run({"field", file.string(), "--json"}).json()), lasting(summary));
+  for (int i = 0; i < 4; ++i) explorer.ask("undo", session);
+  EXPECT_EQ(explorer.ask("text", session).body, before);
+
+  EXPECT_EQ(
+      explorer.ask("mirror", session, {{"device", "lower1"}, {"axis", "w"}}).status,
+      400);
+  EXPECT_EQ(explorer.ask("add", session, {{"type", "../camera"}}).status, 422);
+  EXPECT_EQ(explorer.ask("remove", session, {{"device", "nobody"}}).status, 422);
+  EXPECT_EQ(explorer.ask("text", session).body, before);
+}
+
+/// The difference is that of `delos compare`.
+TEST(Designs, AreComparedWithWhatIsPinned) {
+  const Explorer explorer;
+  const std::string session = explorer.open("02-eight-cameras")["session"];
+  EXPECT_EQ(explorer.ask("difference", session).status, 400) << "nothing is pinned";
+  EXPECT_FALSE(explorer.ask("pin", session).json()["pinned"].is_null());
+  explorer.ask("change", session,
+               {{"set", {{{"path", "devices.*.params.focal"}, {"value", "5 mm"}}}}});
+  const Json summary = head_of(explorer.ask("difference", session))["summary"];
+  const Folder folder;
+  const auto now = folder.write("now.yaml", explorer.ask("text", session).body);
+  const Json difference =
+      run({"compare", scene("02-eight-cameras"), now.string(), "--json"})
+          .json()["difference"];
+  EXPECT_EQ(summary["mean"], difference["mean"]);
+  EXPECT_EQ(summary["min"]["value"], difference["min"]);
+  EXPECT_EQ(summary["max"]["value"], difference["max"]);
+  EXPECT_EQ(summary["better"], difference["improved_fraction"]);
+  EXPECT_EQ(summary["finite"], difference["common"]);
+  const Json pinned = head_of(explorer.ask("field", session, {{"of", "pinned"}}));
+  EXPECT_EQ(lasting(pinned["summary"]),
+            lasting(run({"field", scene("02-eight-cameras"), "--json"}).json()));
+  EXPECT_TRUE(explorer.ask("unpin", session).json()["pinned"].is_null());
+  EXPECT_EQ(explorer.ask("difference", session).status, 400);
+}
+
+TEST(Designs, SayWhichCutsTheyTake) {
+  const Explorer explorer;
+  const std::string session = explorer.open("01-acoustic")["session"];
+  const auto status = [&](const Json& sections) {
+    return explorer.ask("sections", session, {{"sections", sections}}).status;
+  };
+  const Json good{{"origin", {0, 0, 0.5}}, {"u", {0.4, 0, 0.1}}, {"v", {0, 0.4, 0}}};
+  EXPECT_EQ(status({good, good}), 200);
+  EXPECT_EQ(status(Json::array()), 400);
+  EXPECT_EQ(status(std::vector<Json>(17, good)), 400);
+  EXPECT_EQ(status({1}), 400);
+  EXPECT_EQ(status({{{"origin", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {2, 0, 0}}}}), 400);
+  const Json sliver{{"origin", {0, 0, 0}}, {"u", {1e9, 0, 0}}, {"v", {0, 1e-9, 0}}};
+  EXPECT_LE(head_of(explorer.ask("sections", session,
+                                 {{"sections", {sliver}}}))["values"]["count"],
+            11'000);
+  const Answer large = explorer.ask("sections", session,
+                                    {{"sections", {good}}, {"most", 4'000'000'000}});
+  EXPECT_EQ(large.status, 200);
+  EXPECT_LE(head_of(large)["values"]["count"], 102'000) << "bounded";
+}
+
 /// Its own scene first, by its name alone: the page never learns of folders.
 TEST(Scenes, BeginWithTheOneGiven) {
   const Explorer without;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -124,6 +125,17 @@ Json Explorer::open(const std::string& scene) const {
   const Answer answer = post("open", Json{{"scene", scene}}.dump());
   EXPECT_EQ(answer.status, 200) << answer.body;
   return answer.json();
+}
+
+std::size_t Explorer::resident() const {
+  std::istringstream lines(
+      read_file("/proc/" + std::to_string(program_.pid()) + "/status"));
+  std::string word;
+  std::size_t kibibytes = 0;
+  while (lines >> word && word != "VmRSS:") {
+  }
+  lines >> kibibytes;
+  return 1024 * kibibytes;
 }
 
 Finished Explorer::end() {

@@ -55,6 +55,9 @@ class Explorer {
   /// @returns the description, with its session
   [[nodiscard]] Json open(const std::string& scene) const;
 
+  /// What it has in memory now, bytes; proc(5), VmRSS.
+  [[nodiscard]] std::size_t resident() const;
+
   /// Ctrl-C. @returns how it ended
   Finished end();
 

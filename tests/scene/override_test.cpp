@@ -95,6 +95,14 @@ TEST(Override, PlusIsOneMoreMemberOfAList) {
       1u);
 }
 
+TEST(Override, TakesAMemberAway) {
+  const std::vector<DeviceEntry> all = load(kGood).scene->devices;
+  const Scene without = changed("devices.-", all.front().name);
+  ASSERT_EQ(without.devices.size(), all.size() - 1);
+  EXPECT_EQ(without.devices.front(), all[1]);
+  EXPECT_EQ(changed("devices.-", "1").devices.front(), all[0]) << "by index";
+}
+
 TEST(Override, PrefersNamesToIndices) {
   // The device that is called 1 is the first one.
   const std::string text = good_with("name: s1", "name: 1");

@@ -28,6 +28,43 @@ TEST(Design, StaysAsItWasWhereAChangeIsRefused) {
   EXPECT_EQ(design.history().undoable(), 1u);
 }
 
+/// Far from the file it is what the file and all changes are, too; back, and on another
+/// way.
+TEST(Design, IsTheSameHoweverLongItsHistory) {
+  Design design = design_of("01-acoustic");
+  std::vector<std::string> texts = {design.text()};
+  for (int i = 0; i < 200; ++i) {
+    const std::string device = "devices.s" + std::to_string(1 + i % 4);
+    const double z = 1 + 0.001 * i;
+    Diagnostics none;
+    // Every third is a part of the step before.
+    ASSERT_TRUE(
+        design.change({{device + (i % 2 ? ".at.z" : ".at.x"), std::to_string(z)}},
+                      std::to_string(i - (i % 3 == 2)), plugins(), none));
+    if (i % 3 == 2)
+      texts.back() = design.text();
+    else
+      texts.push_back(design.text());
+  }
+  Diagnostics findings;
+  const auto loaded =
+      load(design.file(), design.history().changes(), plugins(), findings);
+  EXPECT_EQ(design.loaded().scene, loaded->scene);
+  for (std::size_t i = texts.size() - 1; i-- > 20;) {
+    ASSERT_TRUE(design.undo(plugins()));
+    ASSERT_EQ(design.text(), texts[i]) << i;
+  }
+  for (std::size_t i = 21; i < texts.size(); ++i) {
+    ASSERT_TRUE(design.redo(plugins()));
+    ASSERT_EQ(design.text(), texts[i]) << i;
+  }
+  for (int i = 0; i < 40; ++i) design.undo(plugins());
+  change(design, {{"devices.s1.at.y", "0.5"}});
+  EXPECT_EQ(
+      design.loaded().scene,
+      load(design.file(), design.history().changes(), plugins(), findings)->scene);
+}
+
 /// Its text is the same scene, wherever it is read.
 TEST(Design, ReadsBackFromItsText) {
   for (const char* name :

@@ -1,30 +1,18 @@
 // The explorer: what is open, what is chosen, and how a change reaches the picture.
-import { unpack, type Field } from './field';
+import { Answers } from './answers';
+import { listenForKeys } from './commands';
+import type { Field } from './field';
 import { newGesture } from './gesture';
-import { Gizmo } from './gizmo';
+import { TypedMove } from './hand';
+import { commandsOf } from './keys';
 import { Layout } from './layout';
+import { nothingShown, Picture } from './picture';
 import { counted, quantity } from './quantity';
-import { Scale } from './scale';
-import {
-  listScenes,
-  Session,
-  type Around,
-  type Description,
-  type PointReport,
-  type Vec3,
-  type Worth,
-} from './server';
+import { listScenes, Session, type Around, type Description, type Palette, type Vec3 } from './server';
 import { applyTheme, currentTheme, type Theme } from './theme';
-import { FieldView } from './view/fieldview';
-import { Icons } from './view/icons';
-import { Probe } from './view/probe';
-import { Room } from './view/room';
-import { Stage } from './view/stage';
+import { firstViewing, middle } from './viewing';
 import { Work } from './work';
-import { middle, type Viewing } from './panels/viewing';
 
-/** Samples that are worked out while a hand moves; the rest follows. */
-const coarseSamples = 20_000;
 const sessionKey = 'delos-session';
 
 /** The picture in one sentence. */
@@ -39,82 +27,105 @@ function words({ summary }: Field): string {
 
 export class App {
   private readonly layout: Layout;
-  private readonly stage: Stage;
-  private readonly room = new Room();
-  private readonly fieldView = new FieldView();
-  private readonly icons = new Icons();
-  private readonly probe = new Probe();
-  private readonly gizmo: Gizmo;
+  private readonly picture: Picture;
   private readonly work: Work;
+  private readonly answers: Answers;
+  private readonly typed: TypedMove;
+  private readonly viewing = firstViewing();
+  private readonly shown = nothingShown();
   private theme: Theme = currentTheme();
   private colours = applyTheme(this.theme);
-  private readonly viewing: Viewing = {
-    axis: 2,
-    at: [0, 0, 0],
-    surface: false,
-    level: 0.35,
-    logarithmic: false,
-    frusta: true,
-    names: true,
-  };
-
   private session: Session | null = null;
-  private description: Description | null = null;
-  private around: Around = { occluders: [], beacons: [] };
-  private field: Field | null = null;
-  private selected: string | null = null;
-  private asked: Vec3 | null = null;
-  private report: PointReport | null = null;
-  private enlarged = 0;
+  private snapping = false;
+  /** A device that was just made, to be chosen. */
+  private awaited: Set<string> | null = null;
 
   constructor(root: HTMLElement) {
-    this.layout = new Layout(root, this.viewing, {
-      open: (id) => void this.open(id),
-      chooseScene: () => void this.chooseScene(),
-      select: (name) => this.select(name),
-      change: (set, gesture) =>
-        this.work.change(set.map((s) => s.path).join(), 'change', { set, gesture }),
-      place: (change, gesture) => this.place(change, gesture),
+    const doings = {
+      viewing: this.viewing,
+      viewed: () => this.viewed(),
+      look: (from: Parameters<Picture['stage']['look']>[0]) => this.look(from),
+      lookThrough: () => this.lookThrough(),
+      move: (mode: 'translate' | 'rotate') => this.move(mode),
+      letGo: () => this.letGo(),
+      next: (step: number) => this.chooseNext(step),
+      add: () => void this.askPalette(),
+      copy: () => this.make('copy', { device: this.shown.selected, by: this.besideIt() }),
+      mirror: (axis: 'x' | 'y') => this.make('mirror', { device: this.shown.selected, axis }),
+      remove: () => this.work.change(newGesture(), 'remove', { device: this.shown.selected }),
+      pin: (pinned: boolean) => this.pin(pinned),
       undo: () => this.step('undo'),
       redo: () => this.step('redo'),
       save: () => void this.save(),
-      toggleTheme: () => this.toggleTheme(),
-      viewed: () => {
-        this.render();
-        this.described();
+      open: () => void this.chooseScene(),
+      theme: () => this.toggleTheme(),
+      snap: () => this.snap(),
+      slice: (axis: number) => this.layout.viewingPanel.slices.toggle(axis),
+      slant: () => this.layout.viewingPanel.slices.addSlant(),
+      commands: () => this.layout.palette.show(),
+      help: () => this.layout.help.showModal(),
+      hasScene: () => this.session !== null,
+      hasDevice: () => this.shown.selected !== null,
+      hasPin: () => this.shown.description?.pinned != null,
+    };
+    const commands = commandsOf(doings);
+    this.layout = new Layout(
+      root,
+      this.viewing,
+      {
+        ...doings,
+        open: (id) => void this.open(id),
+        chooseScene: doings.open,
+        select: (name) => this.select(name),
+        change: (set, gesture) => this.work.change(set.map((s) => s.path).join(), 'change', { set, gesture }),
+        place: (change, gesture) => this.place(change, gesture),
+        toggleTheme: doings.theme,
+        ask: (at) => this.ask(at),
+        clear: () => this.ask(null),
+        gizmo: (mode) => this.move(mode),
+        askPalette: doings.add,
+        add: (type, preset) => this.make('add', { type, preset, ...(this.shown.asked ? { at: this.shown.asked } : {}) }),
+        set: (setting) => this.work.change(setting.path, 'change', { set: [setting], gesture: '' }),
       },
-      ask: (at) => this.ask(at),
-      clear: () => this.ask(null),
-      gizmo: (mode) => this.useGizmo(mode),
-      look: (from) => this.stage.look(from),
-    });
-    this.stage = new Stage(this.layout.viewport);
-    this.stage.scene.add(this.room.group, this.fieldView.group, this.icons.group, this.probe.group);
-    this.stage.background(this.colours.background);
-    this.gizmo = new Gizmo(
-      this.stage,
+      commands,
+    );
+    this.picture = new Picture(
+      this.layout.viewport,
+      this.viewing,
       (change, gesture) => this.place(change, gesture),
       () => this.described(),
     );
-    this.work = new Work({
-      change: async (verb, body) => {
-        const { session } = this;
-        const description = await session!.ask<Description>(verb, body);
-        if (session === this.session) this.take(description);
+    this.picture.stage.background(this.colours.background);
+    this.typed = new TypedMove({
+      place: (change, gesture) => this.place(change, gesture),
+      back: () => this.step('undo'),
+      say: (text) => this.layout.handSays(text),
+    });
+    this.answers = new Answers(this.shown, this.viewing, {
+      drawn: () => {
+        this.render();
+        if (this.viewing.compare === 'beside') this.described(); // the other one's devices
       },
-      draw: (signal) => this.draw(signal, coarseSamples),
-      rest: (signal) => this.rest(signal),
+      answered: () => this.showProbe(),
+      uncertain: () => this.showUncertainty(),
+      valued: (worth) => this.layout.devices.value(worth),
+    });
+    this.work = new Work({
+      change: (verb, body) => this.change(verb, body),
+      draw: (signal) => this.answers.draw(this.session!, signal),
+      rest: (signal) => this.answers.rest(this.session!, signal),
       failed: (error) => this.failed(error),
       busy: (busy) => this.layout.busy(busy),
     });
-    this.listen();
+    this.listenToMouse();
+    listenForKeys(commands, (event) => this.picture.gizmo.take(event, () => this.step('undo')) || this.typed.take(event));
   }
 
   async start(): Promise<void> {
     const kept = sessionStorage.getItem(sessionKey);
     if (kept) {
       try {
-        return this.opened(...(await Session.resume(kept)));
+        return await this.opened(...(await Session.resume(kept)));
       } catch {
         sessionStorage.removeItem(sessionKey); // of a server that has ended
       }
@@ -125,16 +136,20 @@ export class App {
   }
 
   private async chooseScene(): Promise<void> {
-    try {
-      this.layout.start.show(await listScenes());
-    } catch (error) {
-      this.failed(error);
-    }
+    await this.attempt(async () => this.layout.start.show(await listScenes()));
   }
 
   private async open(id: string): Promise<void> {
+    await this.attempt(async () => this.opened(...(await Session.open(id))));
+  }
+
+  private async askPalette(): Promise<void> {
+    await this.attempt(async () => this.layout.addDevice.show(await this.session!.ask<Palette>('palette')));
+  }
+
+  private async attempt(what: () => Promise<void>): Promise<void> {
     try {
-      await this.opened(...(await Session.open(id)));
+      await what();
     } catch (error) {
       this.failed(error);
     }
@@ -144,116 +159,116 @@ export class App {
     this.work.forget();
     this.session = session;
     sessionStorage.setItem(sessionKey, session.name);
-    this.description = description;
-    this.field = null;
-    this.selected = null;
+    Object.assign(this.shown, nothingShown(), { description });
     this.ask(null);
-    this.viewing.axis = 2;
-    this.viewing.at = middle(description.box);
-    this.viewing.surface = false;
-    this.around = await session.ask<Around>('around');
+    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', low: null, high: null });
+    this.shown.around = await session.ask<Around>('around');
     this.drawRoom();
-    this.stage.look('corner', description.room);
+    this.picture.stage.look('corner', description.room);
     this.described();
     this.work.refresh();
   }
 
+  private async change(verb: string, body: object): Promise<void> {
+    const { session } = this;
+    const description = await session!.ask<Description>(verb, body);
+    if (session !== this.session) return;
+    this.layout.devices.stale();
+    this.take(description);
+  }
+
   /** A description that the server gave after a change. */
   private take(description: Description): void {
-    this.description = description;
-    this.layout.devices.stale();
+    const { shown } = this;
+    if (description.pinned !== shown.description!.pinned) [shown.pinned, shown.difference] = [null, null];
+    if (description.pinned === null) this.viewing.compare = 'design';
+    const names = new Set(description.devices.map((d) => d.name));
+    const made = this.awaited && [...names].find((name) => !this.awaited!.has(name));
+    if (made) shown.selected = made;
+    if (shown.selected && !names.has(shown.selected)) shown.selected = null;
+    this.awaited = null;
+    shown.description = description;
     this.described();
   }
 
   private described(): void {
-    const { description, selected } = this;
-    if (!description) return;
-    this.layout.describe(description, selected);
-    if (this.gizmo.dragging) {
-      this.icons.move(description, selected);
-    } else {
-      this.icons.show(
-        description,
-        { selected, frusta: this.viewing.frusta, labels: this.viewing.names },
-        this.colours,
-      );
-      const device = description.devices.find((d) => d.name === selected);
-      this.gizmo.hold(device?.surface ? null : this.icons.find(selected));
-    }
-    this.layout.gizmoMode(this.gizmo.mode, this.icons.find(selected) !== null);
-    this.stage.draw();
-  }
-
-  private async draw(signal: AbortSignal, most: number): Promise<void> {
-    this.field = unpack(await this.session!.bytes('field', { most }, signal));
-    this.render();
-  }
-
-  private async rest(signal: AbortSignal): Promise<void> {
-    if (this.field!.level === 'coarse') await this.draw(signal, 0);
-    if (this.asked) await this.answer(this.asked, signal);
-    const worth = await this.session!.ask<Worth>('worth', {}, signal);
-    this.layout.devices.value(worth);
-  }
-
-  private async answer(at: Vec3, signal: AbortSignal): Promise<void> {
-    this.report = await this.session!.ask<PointReport>('point', { at }, signal);
-    this.showProbe();
+    const { shown, picture } = this;
+    if (!shown.description) return;
+    this.layout.describe(shown.description, shown.selected);
+    picture.drawDevices(shown, this.colours);
+    this.layout.gizmoMode(picture.gizmo.mode, picture.hasIcon(shown.selected));
+    picture.stage.draw();
   }
 
   private render(): void {
-    const { field, viewing } = this;
-    if (!field || !this.description) return;
-    const { min, max } = field.summary;
-    const scale =
-      min && max
-        ? new Scale(min.value, max.value, viewing.logarithmic && min.value > 0, field.largerIsBetter)
-        : null;
-    const grid = field.parts.some((part) => part.kind === 'grid');
-    const level = viewing.surface && grid && scale ? scale.at(viewing.level) : null;
-    this.fieldView.show(
-      field,
-      { axis: viewing.axis, at: viewing.at[viewing.axis] ?? 0, level },
-      scale,
-      this.colours.edge,
-    );
-    this.layout.field(field, scale, level);
-    this.stage.describe(words(field));
-    this.stage.draw();
+    const { shown, picture } = this;
+    if (!shown.field || !shown.description) return;
+    const { drawn, scale, marks } = picture.drawField(shown, this.colours);
+    this.layout.field(shown, drawn, scale, marks, this.viewing, picture.latticeEnlarged);
+    picture.stage.describe(words(drawn));
+    picture.stage.draw();
+  }
+
+  /** Something else is to be shown. */
+  private viewed(): void {
+    this.render();
+    this.described();
+    this.showProbe();
+    this.showUncertainty();
+    if (this.shown.description && this.answers.lacking) this.work.refresh();
   }
 
   private drawRoom(): void {
-    const { box, room } = this.description!;
-    const { colours } = this;
-    this.room.show(box, room, this.around, colours);
-    this.layout.floor(this.room.step);
+    this.layout.floor(this.picture.drawRoom(this.shown, this.colours));
     this.showProbe();
   }
 
   private select(name: string | null): void {
-    this.selected = name;
+    this.typed.end();
+    this.shown.selected = name;
     this.described();
   }
 
+  private chooseNext(step: number): void {
+    const names = this.shown.description!.devices.map((d) => d.name);
+    const at = names.indexOf(this.shown.selected ?? '');
+    this.select(names[at < 0 ? 0 : (at + step + names.length) % names.length] ?? null);
+  }
+
+  private letGo(): void {
+    if (this.picture.stage.asDevice) this.look('corner');
+    else if (this.shown.selected) this.select(null);
+    else this.ask(null);
+  }
+
   private ask(at: Vec3 | null): void {
-    this.asked = at;
-    this.report = null;
+    Object.assign(this.shown, { asked: at, report: null });
     this.showProbe();
     if (at) this.work.refresh();
     else this.layout.report.clear();
   }
 
   private showProbe(): void {
-    if (!this.asked || !this.description) {
-      this.probe.clear();
-    } else {
-      const { min, max } = this.description.room;
-      const size = Math.hypot(...max.map((x, k) => x - min[k]!));
-      this.enlarged = this.probe.show(this.asked, this.report, size, this.colours.probe);
-      if (this.report)
-        this.layout.report.show(this.report, this.description.metric, this.enlarged);
-    }
-    this.stage.draw();
+    const { shown, picture, viewing } = this;
+    picture.drawProbe(shown, this.colours);
+    if (shown.asked && shown.report) this.layout.report.show(shown.report, shown.description!.metric, picture.enlarged, viewing.sigmas);
+    picture.stage.draw();
+  }
+
+  private showUncertainty(): void {
+    this.picture.drawUncertainty(this.shown, this.colours);
+    if (this.shown.field) this.render();
+    this.picture.stage.draw();
+  }
+
+  private look(from: Parameters<Picture['stage']['look']>[0]): void {
+    this.picture.stage.look(from);
+    this.described();
+  }
+
+  private lookThrough(): void {
+    const device = this.shown.description!.devices.find((d) => d.name === this.shown.selected);
+    if (device?.pose) this.picture.lookThrough(device);
   }
 
   /** Each press is a step: none takes another's place. */
@@ -261,78 +276,84 @@ export class App {
     if (this.session) this.work.change(newGesture(), verb, {});
   }
 
+  private pin(pinned: boolean): void {
+    if (pinned) this.viewing.compare = 'difference';
+    this.work.change(newGesture(), pinned ? 'pin' : 'unpin', {});
+  }
+
+  /** Make a device, and choose it. */
+  private make(verb: string, body: object): void {
+    this.awaited = new Set(this.shown.description!.devices.map((d) => d.name));
+    this.work.change(newGesture(), verb, body);
+  }
+
+  /** A step along x that is seen. */
+  private besideIt(): Vec3 {
+    return [this.picture.stepBeside(this.shown), 0, 0];
+  }
+
   private place(change: { p?: number[]; q?: number[] }, gesture: string): void {
-    const device = this.selected;
+    const device = this.shown.selected;
     if (device) this.work.change(`place ${device}`, 'place', { device, gesture, ...change });
   }
 
-  private useGizmo(mode: 'translate' | 'rotate'): void {
-    this.gizmo.use(mode);
-    this.layout.gizmoMode(mode, this.icons.find(this.selected) !== null);
+  private move(mode: 'translate' | 'rotate'): void {
+    const { picture, shown } = this;
+    picture.gizmo.use(mode);
+    this.layout.gizmoMode(mode, picture.hasIcon(shown.selected));
+    this.typed.begin(mode, shown.description!.devices.find((d) => d.name === shown.selected) ?? null);
+  }
+
+  private snap(): void {
+    this.snapping = !this.snapping;
+    this.picture.gizmo.snap(this.snapping);
+    this.layout.snapping(this.snapping);
   }
 
   private toggleTheme(): void {
     this.theme = this.theme === 'dark' ? 'light' : 'dark';
     localStorage.setItem('delos-theme', this.theme);
     this.colours = applyTheme(this.theme);
-    this.stage.background(this.colours.background);
-    if (!this.description) return;
+    this.picture.stage.background(this.colours.background);
+    if (!this.shown.description) return;
     this.drawRoom();
-    this.render();
-    this.described();
+    this.viewed();
   }
 
   private async save(): Promise<void> {
-    try {
+    await this.attempt(async () => {
       const text = await this.session!.text();
       const link = document.createElement('a');
       link.href = URL.createObjectURL(new Blob([text], { type: 'application/yaml' }));
-      link.download = `${this.description!.name.replace(/[^\w-]+/g, '-').toLowerCase()}.yaml`;
+      link.download = `${this.shown.description!.name.replace(/[^\w-]+/g, '-').toLowerCase()}.yaml`;
       link.click();
       URL.revokeObjectURL(link.href);
       this.layout.say(`Saved as ${link.download}`, 'good');
-    } catch (error) {
-      this.failed(error);
-    }
+    });
   }
 
   /** What was refused stays as it was: the panels show that again. */
   private failed(error: unknown): void {
     const lost = error instanceof TypeError;
-    this.layout.say(
-      lost ? 'The server has ended: start delos explore again.' : (error as Error).message,
-      'bad',
-    );
+    this.awaited = null;
+    this.layout.say(lost ? 'The server has ended: start delos explore again.' : (error as Error).message, 'bad');
     this.described();
   }
 
-  private listen(): void {
+  private listenToMouse(): void {
     let pressed: { x: number; y: number } | null = null;
-    const { canvas } = this.stage;
-    canvas.addEventListener('pointerdown', (event) => {
-      pressed = this.gizmo.hovered || event.button !== 0 ? null : { x: event.clientX, y: event.clientY };
+    const { stage, gizmo } = this.picture;
+    stage.canvas.addEventListener('pointerdown', (event) => {
+      this.typed.end();
+      pressed = gizmo.hovered || event.button !== 0 ? null : { x: event.clientX, y: event.clientY };
     });
-    canvas.addEventListener('pointerup', (event) => {
+    stage.canvas.addEventListener('pointerup', (event) => {
       const still = pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < 4;
       pressed = null;
-      if (!still || !this.description) return;
-      const ray = this.stage.ray(event);
-      const icon = ray.intersectObject(this.icons.group, true).find((hit) => 'isMesh' in hit.object && !this.seeThrough(hit.object));
-      if (icon) return this.select(this.icons.nameOf(icon.object));
-      const at = this.fieldView.pick(ray);
-      if (at) this.ask(at);
+      if (!still || !this.shown.description) return;
+      const met = this.picture.pick(stage.ray(event));
+      if (met && 'device' in met) this.select(met.device);
+      else if (met) this.ask(met.at);
     });
-    this.layout.keys({
-      translate: () => this.useGizmo('translate'),
-      rotate: () => this.useGizmo('rotate'),
-      escape: () => (this.selected ? this.select(null) : this.ask(null)),
-      ready: () => this.session !== null,
-    });
-  }
-
-  /** A frustum is no thing to click on. */
-  private seeThrough(object: object): boolean {
-    const { material } = object as { material?: { transparent?: boolean } };
-    return material?.transparent === true;
   }
 }

@@ -6,6 +6,9 @@ export const enum Drawn {
   blind = 0,
   value = 1,
   inside = 2,
+  /** Of a difference: only the second has a value, or only the first. */
+  gained = 3,
+  lost = 4,
 }
 
 interface Range {
@@ -54,6 +57,11 @@ export interface Summary {
   mean: number | null;
   median: number | null;
   p95: number | null;
+  /** Of a difference: the part of the samples that are better, and how many only one of the two
+   * sees. */
+  better?: number;
+  gained?: number;
+  lost?: number;
 }
 
 export interface Field {

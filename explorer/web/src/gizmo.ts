@@ -38,6 +38,27 @@ export class Gizmo {
     });
   }
 
+  /** Steps of 5 cm and 5°. */
+  snap(on: boolean): void {
+    this.controls.setTranslationSnap(on ? 0.05 : null);
+    this.controls.setRotationSnap(on ? Math.PI / 36 : null);
+  }
+
+  /** While it is dragged: along one axis, or not at all.
+   * @returns whether the key was for it */
+  take({ key }: KeyboardEvent, cancelled: () => void): boolean {
+    if (!this.dragging) return false;
+    const axis = key.toUpperCase();
+    if (/^[XYZ]$/.test(axis)) this.controls.axis = axis as 'X' | 'Y' | 'Z';
+    else if (key !== 'Escape') return false;
+    else {
+      this.controls.reset();
+      this.controls.pointerUp(null);
+      cancelled();
+    }
+    return true;
+  }
+
   get dragging(): boolean {
     return this.controls.dragging;
   }

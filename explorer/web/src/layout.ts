@@ -4,13 +4,20 @@ import type { Field } from './field';
 import type { Place } from './gizmo';
 import { ColourBar } from './panels/colourbar';
 import { Devices } from './panels/devices';
+import type { Command } from './commands';
+import { shownKey } from './commands';
+import { AddDevice, type Add } from './panels/adddevice';
+import { CommandPalette } from './panels/commandpalette';
+import { ComparePanel } from './panels/compare';
 import { Inspector, type Change } from './panels/inspector';
 import { Report } from './panels/report';
 import { Start } from './panels/start';
-import { ViewingPanel, type Viewing } from './panels/viewing';
+import { ViewingPanel } from './panels/viewing';
 import { counted, quantity } from './quantity';
 import type { Scale } from './scale';
-import type { Description, Vec3 } from './server';
+import type { Description, Setting, Vec3 } from './server';
+import type { Shown } from './picture';
+import type { Viewing } from './viewing';
 import type { ViewName } from './view/stage';
 
 export interface Actions {
@@ -28,19 +35,22 @@ export interface Actions {
   clear: () => void;
   gizmo: (mode: 'translate' | 'rotate') => void;
   look: (from: ViewName) => void;
+  askPalette: () => void;
+  add: Add;
+  copy: () => void;
+  mirror: (axis: 'x' | 'y') => void;
+  remove: () => void;
+  pin: (pinned: boolean) => void;
+  set: (setting: Setting) => void;
+  snap: () => void;
 }
 
 /** The words of a scene's `fusion`. */
 const fusions = ['stacked', 'continuous', 'periodic', 'sequential', 'artemis'];
 
-const shortcuts: [string, string][] = [
-  ['Ctrl Z, Ctrl Y', 'undo, redo'],
-  ['G, R', 'move, turn the chosen device'],
-  ['Esc', 'let go of it'],
-  ['F', 'look at the whole room'],
-  ['7, 1, 3', 'look from above, from the front, from the side'],
-  ['X, Y, Z', 'slice across an axis'],
+const mouse: [string, string][] = [
   ['drag, wheel', 'turn, come nearer; right button: shift'],
+  ['G or R, then X, Y or Z and a number', 'move or turn by as much; twice the axis: the device\'s own'],
 ];
 
 export class Layout {
@@ -48,8 +58,14 @@ export class Layout {
   readonly start: Start;
   readonly devices: Devices;
   readonly report: Report;
+  readonly viewingPanel: ViewingPanel;
+  readonly addDevice: AddDevice;
+  readonly palette: CommandPalette;
+  readonly help: HTMLDialogElement;
   private readonly inspector: Inspector;
-  private readonly viewingPanel: ViewingPanel;
+  private readonly compare: ComparePanel;
+  private readonly snap: HTMLButtonElement;
+  private readonly hand = h('div', { className: 'hand', id: 'hand', role: 'status' });
   private readonly bar = new ColourBar();
   private readonly scene: HTMLButtonElement;
   private readonly metric: HTMLSelectElement;
@@ -61,17 +77,20 @@ export class Layout {
   private readonly numbers = h('div', { className: 'numbers', id: 'numbers' });
   private readonly message = h('div', { className: 'message', role: 'alert' });
   private readonly scaleNote = h('div', { className: 'scale-note' });
-  private readonly help: HTMLDialogElement;
   private silence = 0;
 
   constructor(
     root: HTMLElement,
     viewing: Viewing,
     private readonly actions: Actions,
+    commands: Command[],
   ) {
     this.start = new Start(actions.open);
-    this.devices = new Devices(actions.select);
-    this.inspector = new Inspector(actions.change, actions.place);
+    this.devices = new Devices(actions.select, actions.askPalette);
+    this.inspector = new Inspector(actions.change, actions.place, actions);
+    this.addDevice = new AddDevice(actions.add);
+    this.palette = new CommandPalette(commands, actions.set);
+    this.compare = new ComparePanel(viewing, actions.viewed, actions.pin);
     this.report = new Report(actions.ask, actions.clear);
     this.viewingPanel = new ViewingPanel(viewing, actions.viewed);
     this.scene = h('button', { type: 'button', className: 'scene', id: 'scene', title: 'Open another scene', onclick: actions.chooseScene }, 'Open a scene');
@@ -99,19 +118,26 @@ export class Layout {
       { className: 'help', 'aria-label': 'Keys' },
       iconButton('close', 'Close', () => this.help.close()),
       h('h2', {}, 'Keys and mouse'),
-      h('dl', {}, ...shortcuts.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
+      h(
+        'dl',
+        {},
+        ...commands.filter((c) => c.keys.length > 0).flatMap((c) => [h('dt', {}, c.keys.map(shownKey).join(', ')), h('dd', {}, c.name)]),
+        ...mouse.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)]),
+      ),
     );
+    this.snap = h('button', { type: 'button', className: 'word', title: 'Snap to 5 cm and 5° (N)', 'aria-pressed': 'false', onclick: actions.snap }, 'snap');
     this.tools = h(
       'div',
       { className: 'tools', role: 'toolbar', 'aria-label': 'View' },
       this.modes.translate,
       this.modes.rotate,
+      this.snap,
       iconButton('fit', 'Look at the whole room (F)', () => actions.look('corner')),
       ...(['top', 'front', 'side'] as const).map((from) =>
         h('button', { type: 'button', className: 'word', title: `Look from the ${from}`, onclick: () => actions.look(from) }, from),
       ),
     );
-    root.append(this.header(), this.main(), this.start.element, this.help);
+    root.append(this.header(), this.main(), this.start.element, this.addDevice.element, this.palette.element, this.help);
   }
 
   private header(): HTMLElement {
@@ -128,6 +154,7 @@ export class Layout {
       this.redo,
       iconButton('save', 'Save as a scene file', actions.save),
       iconButton('theme', 'Dark or light', actions.toggleTheme),
+      h('button', { type: 'button', className: 'word', title: 'All commands (Ctrl K)', onclick: () => this.palette.show() }, 'Commands'),
       iconButton('help', 'Keys and mouse (?)', () => this.help.showModal()),
     );
   }
@@ -141,11 +168,9 @@ export class Layout {
         'div',
         { className: 'middle' },
         this.viewport,
-        this.tools,
+        h('div', { className: 'top-left' }, this.tools, this.compare.element),
         this.bar.element,
-        this.scaleNote,
-        this.numbers,
-        this.message,
+        h('div', { className: 'bottom-left' }, this.message, this.hand, this.scaleNote, this.numbers),
       ),
       h(
         'aside',
@@ -174,10 +199,14 @@ export class Layout {
     this.inspector.show(description, selected);
   }
 
-  field(field: Field, scale: Scale | null, level: number | null): void {
+  /** @param drawn what the colours are of: the design's field, or its difference
+   *  @param marks values that are marked on the bar */
+  field(shown: Shown, drawn: Field, scale: Scale | null, marks: number[], viewing: Viewing, enlarged: number): void {
+    const field = shown.field!;
     const { summary } = field;
-    this.bar.show(field, scale, level);
-    this.viewingPanel.show(field, scale);
+    this.bar.show(drawn, scale, marks, viewing.units);
+    this.viewingPanel.show(drawn, scale, shown.blind, enlarged);
+    this.compare.show(shown.description!.pinned !== null, shown.difference?.summary ?? null);
     const unit = summary.metric.unit;
     const best = field.largerIsBetter ? summary.max : summary.min;
     const worst = field.largerIsBetter ? summary.min : summary.max;
@@ -217,38 +246,12 @@ export class Layout {
     this.silence = window.setTimeout(() => (this.message.textContent = ''), mood === 'bad' ? 12000 : 4000);
   }
 
-  keys(on: { translate: () => void; rotate: () => void; escape: () => void; ready: () => boolean }): void {
-    const axis = (k: number) => () => this.viewingPanel.set({ axis: k });
-    const plain: Record<string, () => void> = {
-      g: on.translate,
-      r: on.rotate,
-      f: () => this.actions.look('corner'),
-      7: () => this.actions.look('top'),
-      1: () => this.actions.look('front'),
-      3: () => this.actions.look('side'),
-      x: axis(0),
-      y: axis(1),
-      z: axis(2),
-      escape: on.escape,
-      '?': () => this.help.showModal(),
-    };
-    document.addEventListener('keydown', (event) => {
-      const key = event.key.toLowerCase();
-      const { target } = event;
-      // Letters in a text are the text's.
-      const typing =
-        (target instanceof HTMLInputElement && target.type === 'text') ||
-        target instanceof HTMLSelectElement;
-      const edited = target instanceof HTMLInputElement && typing && target.value !== target.defaultValue;
-      if (!on.ready() || document.querySelector('dialog[open]')) return;
-      if ((event.ctrlKey || event.metaKey) && !edited && (key === 'z' || key === 'y')) {
-        event.preventDefault();
-        if (key === 'y' || event.shiftKey) this.actions.redo();
-        else this.actions.undo();
-      } else if (!typing && !event.ctrlKey && !event.metaKey && !event.altKey && plain[key]) {
-        event.preventDefault();
-        plain[key]!();
-      }
-    });
+  /** What is typed of a movement. */
+  handSays(text: string): void {
+    this.hand.textContent = text;
+  }
+
+  snapping(on: boolean): void {
+    this.snap.setAttribute('aria-pressed', String(on));
   }
 }

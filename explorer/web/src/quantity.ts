@@ -64,3 +64,31 @@ export function typed(si: number, unit: string, as = displayUnit(si, unit)): str
 
 export const percent = (part: number) => `${digits(100 * part, 2)} %`;
 export const counted = (n: number, noun: string) => `${n} ${noun}${n === 1 ? '' : 's'}`;
+
+const sizes: Record<string, number> = { k: 1e3, '': 1, c: 1e-2, m: 1e-3, µ: 1e-6, u: 1e-6, n: 1e-9 };
+
+/** "17.4 mm", "0.0174", "3 deg" or, a power of ten, "-1.76 log m", in SI units; not a number
+ * where it is something else. */
+export function siOf(text: string, unit: string): number {
+  const match = /^\s*([-+]?[\d.]+(?:e[-+]?\d+)?)\s*(log)?\s*(\S*)\s*$/i.exec(text);
+  if (!match) return NaN;
+  const [, digits, log, named] = match;
+  const value = log ? 10 ** Number(digits) : Number(digits);
+  if (!named || named === unit) return value;
+  if (unit.startsWith('rad')) return named === unit.replace('rad', 'deg') ? (value * Math.PI) / 180 : NaN;
+  const head = unit === '1/s' ? 'Hz' : unit;
+  const power = head.includes('^2') ? 2 : 1;
+  const prefix = named.endsWith(head) ? named.slice(0, named.length - head.length) : '?';
+  return value * (sizes[prefix] ?? NaN) ** power;
+}
+
+/** How values are written: with the prefix that reads best, in SI units, or as powers of ten. */
+export type Units = 'auto' | 'si' | 'log10';
+
+/** Values of a scale as they are labelled, and the unit behind them. */
+export function labelling(units: Units, largest: number, unit: string): { name: string; of: (si: number) => string } {
+  if (units === 'log10')
+    return { name: unit === '1' ? 'log₁₀' : `log₁₀ ${unit}`, of: (si) => (si > 0 ? digits(Math.log10(si), 4) : '') };
+  const as = units === 'si' ? { name: unit === '1' ? '' : unit, factor: 1 } : displayUnit(largest, unit);
+  return { name: as.name, of: (si) => digits(si * as.factor) };
+}

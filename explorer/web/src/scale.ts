@@ -1,57 +1,39 @@
 // From values to colours.
+import { diverging, sequential, type MapName, type Rgb } from './maps';
 
-/** A channel each; powers of t from 0 to 6. The same polynomial as the program's pictures.
- *
- * Source: van der Walt & Smith, viridis, matplotlib 1.5 (2015), CC0; fitted by Zucker
- *         (2019), https://www.shadertoy.com/view/WlfXRN, CC0.
- */
-const coefficients: [number, number, number][] = [
-  [0.2777273272234177, 0.005407344544966578, 0.3340998053353061],
-  [0.1050930431085774, 1.404613529898575, 1.384590162594685],
-  [-0.3308618287255563, 0.214847559468213, 0.09509516302823659],
-  [-4.634230498983486, -5.799100973351585, -19.33244095627987],
-  [6.228269936347081, 14.17993336680509, 56.69055260068105],
-  [4.776384997670288, -13.74514537774601, -65.35303263337234],
-  [-5.435455855934631, 4.645852612178535, 26.3124352495832],
-];
-
-/** Dark violet at 0, bright yellow at 1; each channel in [0, 1], sRGB. */
-export function viridis(t: number): [number, number, number] {
-  const x = Math.min(1, Math.max(0, t));
-  const channel = (k: number) =>
-    Math.min(
-      1,
-      Math.max(0, coefficients.reduceRight((sum, c) => sum * x + c[k]!, 0)),
-    );
-  return [channel(0), channel(1), channel(2)];
+/** How people want their colours. */
+export interface Colouring {
+  logarithmic: boolean;
+  map: MapName;
+  /** Dark is good. */
+  reversed: boolean;
+  /** Ends in SI units; null: those of the field. */
+  low: number | null;
+  high: number | null;
 }
 
-const vector = (c: [number, number, number]) => `vec3(${c.map((x) => x.toFixed(9)).join(', ')})`;
-
-/** The same, and how values reach it, for shaders. */
-export const scaleShader = /* glsl */ `
-uniform vec2 range;
-uniform bool logarithmic;
-uniform bool brightIsLarge;
-vec3 colourOf(float value) {
-  float t = logarithmic
-      ? log(max(value, range.x) / range.x) / max(log(range.y / range.x), 1e-20)
-      : (value - range.x) / max(range.y - range.x, 1e-30);
-  t = clamp(brightIsLarge ? t : 1.0 - t, 0.0, 1.0);
-  vec3 c = ${vector(coefficients[6]!)};
-  ${[5, 4, 3, 2, 1, 0].map((i) => `c = c * t + ${vector(coefficients[i]!)};`).join('\n  ')}
-  return clamp(c, 0.0, 1.0);
-}
-`;
-
-/** Where in the range a value is, and which colour it has: bright is always good. */
+/** Where in the range a value is, and which colour it has: unless reversed, bright is good. */
 export class Scale {
   constructor(
     readonly min: number,
     readonly max: number,
     readonly logarithmic: boolean,
     readonly brightIsLarge: boolean,
+    readonly map: MapName = 'viridis',
+    readonly difference = false,
   ) {}
+
+  /** @param field what the range is taken from where the hand gives none */
+  static of(field: { min: number; max: number; largerIsBetter: boolean }, as: Colouring): Scale {
+    const low = as.low ?? field.min;
+    const high = Math.max(low, as.high ?? field.max);
+    return new Scale(low, high, as.logarithmic && low > 0, field.largerIsBetter !== as.reversed, as.map);
+  }
+  /** As far on both sides of no difference. */
+  static ofDifference(min: number, max: number, largerIsBetter: boolean): Scale {
+    const most = Math.max(Math.abs(min), Math.abs(max), 1e-12);
+    return new Scale(-most, most, false, largerIsBetter, 'viridis', true);
+  }
 
   /** 0 at the least value, 1 at the greatest. */
   part(value: number): number {
@@ -66,9 +48,10 @@ export class Scale {
       ? this.min * (this.max / this.min) ** part
       : this.min + part * (this.max - this.min);
   }
-  colour(value: number): [number, number, number] {
-    const t = this.part(value);
-    return viridis(this.brightIsLarge ? t : 1 - t);
+  colour(value: number): Rgb {
+    const part = this.part(value);
+    const t = this.brightIsLarge ? part : 1 - part;
+    return this.difference ? diverging(t) : sequential(this.map, t);
   }
   /** A colour for CSS. */
   css(value: number): string {

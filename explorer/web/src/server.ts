@@ -5,7 +5,7 @@ export type Vec3 = [number, number, number];
 /** A row of a plugin's table of parameters. */
 export interface ParamSpec {
   name: string;
-  kind: 'number' | 'choice' | 'vector' | 'matrix';
+  kind: 'number' | 'choice' | 'vector' | 'matrix' | 'text';
   unit: string;
   default: number | string | null;
   scale?: 'linear' | 'log';
@@ -65,6 +65,8 @@ export interface Description {
   room: Box;
   devices: Device[];
   types: Record<string, DeviceType>;
+  /** The revision that others are compared with; null: none. */
+  pinned: number | null;
 }
 
 export interface Around {
@@ -87,7 +89,36 @@ export interface PointReport {
     devices: { name: string; type: string; visible: boolean; share: number | null }[];
   };
   words: string[];
-  ellipsoid: { sigma: Vec3; axes: [Vec3, Vec3, Vec3] } | null;
+  ellipsoid: Ellipsoid | null;
+  lost: Vec3[];
+}
+
+/** Of one standard deviation of the position. */
+export interface Ellipsoid {
+  sigma: Vec3;
+  axes: [Vec3, Vec3, Vec3];
+}
+
+export interface Lattice {
+  points: { at: Vec3; ellipsoid: Ellipsoid | null; lost: Vec3[] }[];
+}
+
+export interface BlindRegions {
+  samples: number;
+  regions: { samples: number; box: Box; why: string }[];
+}
+
+/** A parallelogram origin + a·u + b·v. */
+export interface Section {
+  origin: Vec3;
+  u: Vec3;
+  v: Vec3;
+}
+
+/** What can be put into a scene. */
+export interface Palette {
+  types: { id: string; summary: string; ready: boolean }[];
+  presets: { name: string; type: string; source: string }[];
 }
 
 export interface Worth {

@@ -1,5 +1,5 @@
 // Dark or light, for the page and for what is drawn.
-import { blindColours } from './view/sheet';
+import { blindColours } from './view/uniforms';
 
 export type Theme = 'dark' | 'light';
 
@@ -17,6 +17,7 @@ const drawn = {
     selected: '#ff8f4a',
     sight: '#a9b4c9',
     probe: '#ff5d8f',
+    lost: '#ff5d5d',
     edge: '#e8ecf4',
   },
   light: {
@@ -32,6 +33,7 @@ const drawn = {
     selected: '#ad4207',
     sight: '#76809a',
     probe: '#c2185b',
+    lost: '#c01818',
     edge: '#2b3140',
   },
 };

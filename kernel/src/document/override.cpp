@@ -175,6 +175,23 @@ class Walk {
   Findings& findings_;
 };
 
+/// Take a member out of a list. @param path of the list @param which a name or an index
+void remove_member(Node& root, const std::string& path, const Node& which, Mark where,
+                   Findings& findings) {
+  Node* list = Walk(path, where, findings).find(root);
+  if (!list) return;
+  const std::string key = split(path).back();
+  const Node* member = is_list(*list) && which.kind == Node::Kind::scalar
+                           ? find_member(*list, which.text, key)
+                           : nullptr;
+  if (member)
+    list->items.erase(list->items.begin() + (member - list->items.data()));
+  else
+    findings.error(where, path + ".-",
+                   "there is no such member" +
+                       (is_list(*list) ? members_text(*list, which.text, key) : ""));
+}
+
 }  // namespace
 
 void replace_value(Node& root, const std::string& path, Node value, Mark where,
@@ -194,6 +211,8 @@ void replace_value(Node& root, const std::string& path, Node value, Mark where,
                     where, findings);
     return;
   }
+  if (path.ends_with(".-"))
+    return remove_member(root, path.substr(0, path.size() - 2), value, where, findings);
   if (Node* node = Walk(path, where, findings).find(root)) *node = std::move(value);
 }
 

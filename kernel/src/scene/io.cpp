@@ -7,6 +7,7 @@
 #include "document/file_text.h"
 #include "document/node_text.h"
 #include "document/override.h"
+#include "scene/device_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
 
@@ -129,6 +130,10 @@ std::string save_scene(Scene scene, const std::filesystem::path& folder,
 
 Override motion_override(const MotionEntry& motion) {
   return {"motion", to_yaml(write_motion(motion.motion))};
+}
+
+Override device_override(const DeviceEntry& device) {
+  return {"devices.+", to_yaml(write_devices({device}).items.front())};
 }
 
 std::string write_scene(const Scene& scene) { return to_yaml(scene_node(scene)); }

@@ -67,7 +67,7 @@ export async function drive(words, steps) {
       acceptDownloads: true,
     });
     const page = browser.pages()[0] ?? (await browser.newPage());
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(40_000);
     page.on('console', (m) => {
       if (m.type() === 'error') complaints.push(m.text());
     });
@@ -97,8 +97,9 @@ export const drawn = (page) =>
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
   );
 
-/** A picture for people to look at. */
-export const picture = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
+/** A picture for people to look at; the processor draws volumes slowly. */
+export const picture = (page, name) =>
+  page.screenshot({ path: join(pictures, `${name}.png`), timeout: 100_000 });
 
 /** What the colour bar says it runs from and to. */
 export const range = (page) =>

@@ -2,85 +2,8 @@
 // numbers are those of the command line.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import {
-  axeSource,
-  delos,
-  drawn,
-  drive,
-  picture,
-  pictures,
-  pixels,
-  probed,
-  range,
-  scenes,
-  settled,
-} from './browser.mjs';
-
-const laboratory = join(scenes, '05-optitrack-lab.yaml');
-const at = '0,0,1.5';
-
-/** @param refusals of the server, which the browser tells the console of */
-async function test(name, words, steps, refusals = 0) {
-  const began = Date.now();
-  const { code, complaints } = await drive(words, steps);
-  const refused = complaints.filter((text) => text.includes('status of 422'));
-  assert.equal(refused.length, refusals);
-  assert.deepEqual(complaints.filter((text) => !refused.includes(text)), [], 'the console is silent');
-  assert.equal(code, 0, 'Ctrl-C ends the server with exit code 0');
-  console.log(`${name}: ${((Date.now() - began) / 1000).toFixed(1)} s`);
-}
-
-const metricsOf = (file) =>
-  Object.fromEntries(
-    Object.entries(delos('point', file, '--at', at).metrics)
-      .map(([name, { value }]) => [name, value])
-      .filter(([name, value]) => name !== 'footprint' || value !== null),
-  );
-
-const rangeOf = (file) => {
-  const { min, max } = delos('field', file);
-  return [min.value, max.value];
-};
-
-async function probe(page) {
-  const inputs = await page.$$('form.at input');
-  for (const [k, number] of at.split(',').entries()) await inputs[k].fill(number);
-  await page.click('form.at button');
-  await page.waitForSelector('#report [data-metric]');
-  await settled(page);
-}
-
-async function save(page, name) {
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.click('[aria-label="Save as a scene file"]'),
-  ]);
-  const file = join(pictures, name);
-  await download.saveAs(file);
-  return file;
-}
-
-/** The text box of a parameter of the chosen device. */
-const box = (page, label) => page.getByLabel(label, { exact: true }).first();
-const slider = (page, label) => page.locator(`input[type=range][aria-label^="${label}, "]`);
-
-/** Press on a handle of the gizmo. */
-async function grab(page, x, y) {
-  await page.mouse.move(x, y);
-  await page.waitForFunction(() => document.querySelector('#viewport canvas').style.cursor === 'grab');
-  await page.mouse.down();
-}
-
-/** Drag by the hand: press on the element, move, let go. */
-async function dragSlider(page, label, part) {
-  await slider(page, label).scrollIntoViewIfNeeded();
-  const { x, y, width, height } = await slider(page, label).boundingBox();
-  await page.mouse.move(x + width / 2, y + height / 2);
-  await page.mouse.down();
-  for (let k = 1; k <= 8; ++k)
-    await page.mouse.move(x + width * (0.5 + ((part - 0.5) * k) / 8), y + height / 2);
-  await page.mouse.up();
-}
+import { axeSource, delos, drawn, picture, pixels, probed, range, scenes, settled } from './browser.mjs';
+import { box, dragSlider, grab, laboratory, metricsOf, openScene, probe, rangeOf, save, test } from './steps.mjs';
 
 await test('first minute', [], async (page) => {
   await picture(page, 'start');
@@ -229,14 +152,7 @@ await test('numbers that are typed, and refused', [laboratory], async (page) => 
 }, 1);
 
 await test('other kinds of rooms', [], async (page) => {
-  const open = async (scene) => {
-    const before = await page.title();
-    if (before !== 'Delos') await page.click('#scene'); // else it asks by itself
-    await page.click(`[data-scene="${scene}"]`);
-    await page.waitForFunction((n) => document.title !== n, before);
-    await settled(page);
-  };
-  await open('01-acoustic');
+  await openScene(page, '01-acoustic');
   await page.check('#view-surface');
   await page.check('#view-logarithmic');
   await page.click('[aria-label="Slice across x"]');
@@ -244,20 +160,20 @@ await test('other kinds of rooms', [], async (page) => {
   await picture(page, 'surface');
   assert.ok((await pixels(page)).drawn > 0.03 * (await pixels(page)).all);
 
-  await open('06-furnished-lab');
+  await openScene(page, '06-furnished-lab');
   await picture(page, 'furnished');
   await page.click('[aria-label="Dark or light"]');
   await picture(page, 'light');
   await page.click('[aria-label="Dark or light"]');
 
-  await open('07-torso');
+  await openScene(page, '07-torso');
   assert.deepEqual(await range(page), rangeOf(join(scenes, '07-torso.yaml')));
-  await open('hiball/six-lepd');
+  await openScene(page, 'hiball/six-lepd');
   await picture(page, 'hiball');
   await page.click('[data-device=hiball]');
 
   // All blind: nothing of it may be bright.
-  await open('13-camera-spots');
+  await openScene(page, '13-camera-spots');
   await picture(page, 'blind');
   const { good, all } = await pixels(page);
   assert.ok(good < 0.002 * all, `blind is never drawn as good: ${good}`);

@@ -1,7 +1,7 @@
 // The colour bar: what the colours mean, from where to where.
 import { h } from '../dom';
 import type { Field } from '../field';
-import { digits, displayUnit, raised } from '../quantity';
+import { displayUnit, labelling, raised, type Units } from '../quantity';
 import type { Scale } from '../scale';
 
 export class ColourBar {
@@ -21,16 +21,23 @@ export class ColourBar {
     );
   }
 
-  /** @param level of the surface that is shown; null: none */
-  show(field: Field, scale: Scale | null, level: number | null): void {
+  /** @param marks values that are shown: the surface's, the interval's ends */
+  show(field: Field, scale: Scale | null, marks: number[], units: Units): void {
     const { summary } = field;
     this.element.dataset.min = scale ? String(scale.min) : '';
     this.element.dataset.max = scale ? String(scale.max) : '';
     this.element.dataset.level = field.level;
     const without = summary.samples - summary.finite;
+    const { gained, lost } = summary;
+    const key = (className: string, text: string) => [h('span', { className, 'aria-hidden': 'true' }), text];
     this.blind.replaceChildren(
-      h('span', { className: 'hatch', 'aria-hidden': 'true' }),
-      without > 0 ? `blind: ${without} of ${summary.samples}` : 'blind: none',
+      ...(gained === undefined || lost === undefined
+        ? key('hatch', without > 0 ? `blind: ${without} of ${summary.samples}` : 'blind: none')
+        : [
+            ...key('hatch', `blind in both: ${without - gained - lost}`),
+            ...key('hatch gained', `seen only now: ${gained}`),
+            ...key('hatch lost', `seen only before: ${lost}`),
+          ]),
     );
     if (!scale) {
       this.title.replaceChildren(h('b', {}, summary.metric.name), ' is finite nowhere');
@@ -39,9 +46,11 @@ export class ColourBar {
       return;
     }
     const unit = displayUnit(scale.max, summary.metric.unit);
+    const { name, of: label } = labelling(scale.difference && units === 'log10' ? 'si' : units, scale.max, summary.metric.unit);
     this.title.replaceChildren(
+      scale.difference ? 'change of ' : '',
       h('b', {}, summary.metric.name),
-      unit.name ? ` in ${raised(unit.name)}` : '',
+      name ? ` in ${raised(name)}` : '',
     );
     const stops = Array.from({ length: 25 }, (_, k) => scale.css(scale.at(k / 24)));
     this.strip.style.background = `linear-gradient(to top, ${stops.join(', ')})`;
@@ -50,15 +59,15 @@ export class ColourBar {
       tick.style.bottom = `${100 * scale.part(value)}%`;
       return tick;
     };
-    const label = (v: number) => digits(v * unit.factor);
     const ends = [scale.min, scale.max];
     const inner = scale
       .ticks(unit.factor)
-      .filter((v) => scale.part(v) > 0.06 && scale.part(v) < 0.94);
+      .filter((v) => scale.part(v) > 0.06 && scale.part(v) < 0.94 && !(scale.difference && v === 0));
     this.ticks.replaceChildren(
       ...inner.map((v) => mark(v, 'tick', label(v))),
       ...(scale.max > scale.min ? ends : [scale.min]).map((v) => mark(v, 'tick end', label(v))),
-      ...(level !== null ? [mark(level, 'level', label(level))] : []),
+      ...(scale.difference ? [mark(0, 'level zero', '0')] : []),
+      ...marks.map((level) => mark(level, 'level', label(level))),
     );
   }
 }

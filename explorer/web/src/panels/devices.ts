@@ -31,11 +31,19 @@ export class Devices {
   private description: Description | null = null;
   private selected: string | null = null;
 
-  constructor(private readonly select: (name: string | null) => void) {
+  constructor(
+    private readonly select: (name: string | null) => void,
+    add: () => void,
+  ) {
     this.element = h(
       'section',
       { className: 'panel grow' },
-      h('h2', {}, 'Devices'),
+      h(
+        'header',
+        {},
+        h('h2', {}, 'Devices'),
+        h('button', { type: 'button', id: 'add-device', title: 'Add a device (A)', onclick: add }, 'Add…'),
+      ),
       this.verdict,
       this.list,
     );

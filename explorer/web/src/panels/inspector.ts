@@ -182,6 +182,13 @@ function forAll(set: Setting, device: Device, devices: Device[]): Setting[] {
     }));
 }
 
+/** What is done with a device as a whole. */
+export interface WholeDevice {
+  copy: () => void;
+  mirror: (axis: 'x' | 'y') => void;
+  remove: () => void;
+}
+
 export class Inspector {
   readonly element = h('div', { className: 'inspector' });
   private readonly all = h('input', { type: 'checkbox', id: 'all-of-type' });
@@ -193,6 +200,7 @@ export class Inspector {
   constructor(
     private readonly changeOne: Change,
     private readonly place: Place,
+    private readonly whole: WholeDevice,
   ) {}
 
   private readonly change: Change = (settings, gesture) => {
@@ -239,10 +247,24 @@ export class Inspector {
     this.element.replaceChildren(
       h('header', {}, h('h2', {}, device.name), h('p', { className: 'type' }, type.id)),
       h('p', { className: 'summary' }, type.summary),
+      this.actionsOn(),
       ...this.allOf(description, device),
       section(device.mount === 'target' ? 'Place on the target' : 'Place', place) || '',
       section(headings[device.facing], facing) || '',
       section('Readings', [rate, ...params]) || '',
+    );
+  }
+
+  private actionsOn(): HTMLElement {
+    const { copy, mirror, remove } = this.whole;
+    const button = (text: string, title: string, onclick: () => void) => h('button', { type: 'button', title, onclick }, text);
+    return h(
+      'div',
+      { className: 'actions', role: 'group', 'aria-label': 'This device' },
+      button('Copy', 'Once more, beside it (D)', copy),
+      button('Mirror x', 'Once more, mirrored across x through the middle of the samples (M)', () => mirror('x')),
+      button('Mirror y', 'Once more, mirrored across y through the middle of the samples (Shift M)', () => mirror('y')),
+      button('Remove', 'Take it away (Delete)', remove),
     );
   }
 

@@ -52,7 +52,7 @@ export class Report {
   }
 
   /** @param scale by which the ellipsoid is enlarged; 0: there is none */
-  show(report: PointReport, metric: Metric, scale: number): void {
+  show(report: PointReport, metric: Metric, scale: number, sigmas: number): void {
     const { point, words } = report;
     point.at.forEach((x, k) => (this.inputs[k]!.value = digits(x, 4)));
     const rows = Object.entries(point.metrics)
@@ -92,8 +92,9 @@ export class Report {
       h('h3', {}, `Without this device alone ${metric.name} gets worse by`),
       h('table', { className: 'shares' }, h('tbody', {}, ...devices)),
       ...(scale > 0
-        ? [h('p', { className: 'hint' }, `The ellipsoid is one σ of the position, drawn ${digits(scale, 1)} times as large.`)]
+        ? [h('p', { className: 'hint' }, `The ellipsoid is ${sigmas} σ of the position, drawn ${digits(scale, 1)} times as large.`)]
         : []),
+      ...(report.lost.length > 0 ? [h('p', { className: 'hint' }, 'Arrows point along what is lost of the position.')] : []),
     );
   }
 }

@@ -20,15 +20,19 @@ import { isosurface } from './isosurface';
 import { paint } from './paint';
 import { discard } from './room';
 import { scatteredObject } from './scattered';
-import { applyScale, Sheet, type SheetData } from './sheet';
+import { Sheet, type SheetData } from './sheet';
+import { applyScale } from './uniforms';
+import { Volume } from './volume';
 
 export interface FieldOptions {
-  /** Across which axis the layer lies; −1: none is shown. */
-  axis: number;
-  /** Where the layer is along it, metres; the nearest one of the grid is shown. */
-  at: number;
+  /** Where layers across axes lie, metres; the nearest ones of the grid are shown. */
+  slices: { axis: number; at: number }[];
   /** Of the surface; null: none is shown. */
   level: number | null;
+  /** The whole volume: as a cloud, as what lies between two values, or not. */
+  volume: 'cloud' | [number, number] | null;
+  /** Cuts of their own. */
+  sections: Field | null;
 }
 
 /** The layer of a grid nearest to a place along an axis. */
@@ -68,24 +72,30 @@ const planeOf = (part: Part & { kind: 'plane' }): SheetData => ({
 export class FieldView {
   readonly group = new Group();
   private field: Field | null = null;
-  private readonly sheets = new Map<Object3D, Sheet>();
+  private readonly sheets = new Map<Object3D, { sheet: Sheet; field: Field }>();
+  readonly volume = new Volume();
   /** Sheets that were shown before: their programs stay compiled. */
   private readonly spare: Sheet[] = [];
   private readonly scattered = new Map<Object3D, Part>();
 
+  constructor() {
+    this.group.add(this.volume.mesh);
+  }
+
   show(field: Field, options: FieldOptions, scale: Scale | null, edge: string): void {
-    for (const child of [...this.group.children]) discard(child);
-    this.spare.push(...this.sheets.values());
+    for (const child of [...this.group.children]) if (child !== this.volume.mesh) discard(child);
+    this.spare.push(...[...this.sheets.values()].map(({ sheet }) => sheet));
+    this.volume.hide();
     this.sheets.clear();
     this.scattered.clear();
     this.field = field;
     for (const part of field.parts) {
       if (part.kind === 'grid') {
-        if (options.axis >= 0)
-          this.sheet(layerOf(part, options.axis, layerAt(part, options.axis, options.at)), scale, edge);
-        if (options.level !== null && scale) this.surface(part, options.level, scale);
+        for (const { axis, at } of options.slices)
+          this.sheet(field, layerOf(part, axis, layerAt(part, axis, at)), scale, edge);
+        if (scale) this.bodies(part, options, scale);
       } else if (part.kind === 'plane') {
-        this.sheet(planeOf(part), scale, edge);
+        this.sheet(field, planeOf(part), scale, edge);
       } else {
         const object = scatteredObject(field, part, part.count > 2000 ? 5 : 9);
         if (scale) applyScale(object.material, scale);
@@ -93,6 +103,13 @@ export class FieldView {
         this.group.add(object);
       }
     }
+    for (const part of options.sections?.parts ?? [])
+      if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge);
+  }
+
+  private bodies(part: GridPart, { level, volume }: FieldOptions, scale: Scale): void {
+    if (level !== null) this.surface(part, level, scale);
+    if (volume) this.volume.show(this.field!, part, volume === 'cloud' ? null : volume, scale);
   }
 
   /** The nearest sample that a ray meets. */
@@ -100,13 +117,14 @@ export class FieldView {
     const objects = [...this.sheets.keys(), ...this.scattered.keys()];
     const hit = ray.intersectObjects(objects, false)[0];
     if (!hit || !this.field) return null;
+    const field = this.sheets.get(hit.object)?.field ?? this.field;
     const sample = this.sampleOf(hit);
-    const part = this.field.parts.find((p) => sample >= p.first && sample < p.first + p.count);
+    const part = field.parts.find((p) => sample >= p.first && sample < p.first + p.count);
     return part ? placeOf(part, sample - part.first) : null;
   }
 
   private sampleOf(hit: Intersection): number {
-    const sheet = this.sheets.get(hit.object);
+    const sheet = this.sheets.get(hit.object)?.sheet;
     if (sheet) return sheet.nearest(hit.uv!);
     const part = this.scattered.get(hit.object)!;
     if (!hit.face) return part.first + hit.index!;
@@ -115,13 +133,13 @@ export class FieldView {
     return part.first + corners[0]!;
   }
 
-  private sheet(data: SheetData, scale: Scale | null, edge: string): void {
-    const { values, mask, summary } = this.field!;
+  private sheet(field: Field, data: SheetData, scale: Scale | null, edge: string): void {
+    const { values, mask, summary } = field;
     const sheet = this.spare.pop() ?? new Sheet();
     // Half a device sees nothing: counts don't blend.
     sheet.show(data, values, mask, summary.metric.name !== 'coverage');
     if (scale) applyScale(sheet.mesh.material as ShaderMaterial, scale);
-    this.sheets.set(sheet.mesh, sheet);
+    this.sheets.set(sheet.mesh, { sheet, field });
     const { origin, u, v } = data;
     const corners = [
       origin,

@@ -4,13 +4,10 @@ import {
   LineBasicMaterial,
   LineSegments,
   BufferGeometry,
-  Matrix4,
-  Mesh,
-  MeshLambertMaterial,
-  SphereGeometry,
   Vector3,
 } from 'three';
 import type { PointReport, Vec3 } from '../server';
+import { ellipsoidObject, enlargement, lostArrows } from './ellipsoid';
 import { paint } from './paint';
 import { discard } from './room';
 
@@ -23,7 +20,8 @@ export class Probe {
 
   /** @param size of the room, metres
    *  @returns how many times as large as it is the ellipsoid is drawn; 0: there is none */
-  show(at: Vec3, report: PointReport | null, size: number, colour: string): number {
+  show(at: Vec3, report: PointReport | null, size: number, sigmas: number, colours: { probe: string; lost: string }): number {
+    const colour = colours.probe;
     this.clear();
     const arm = 0.018 * size;
     const cross = [0, 1, 2].flatMap((k) =>
@@ -41,26 +39,12 @@ export class Probe {
     );
     lines.renderOrder = 2;
     this.group.add(lines);
-    const ellipsoid = report?.ellipsoid;
+    if (!report) return 0;
+    this.group.add(lostArrows(at, report.lost, 0.06 * size, colours.lost));
+    const { ellipsoid } = report;
     if (!ellipsoid) return 0;
-    const greatest = Math.max(...ellipsoid.sigma);
-    if (!(greatest > 0)) return 0;
-    const exact = (0.05 * size) / greatest;
-    const decade = 10 ** Math.floor(Math.log10(exact));
-    const scale = [5, 2, 1].find((m) => m * decade <= exact)! * decade;
-    const mesh = new Mesh(
-      new SphereGeometry(1, 40, 24),
-      paint(
-        `ellipsoid ${colour}`,
-        () => new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.6 }),
-      ),
-    );
-    const [a, b, c] = ellipsoid.axes.map((axis, k) =>
-      new Vector3(...axis).multiplyScalar(Math.max(1e-4, scale * ellipsoid.sigma[k]!)),
-    );
-    mesh.matrixAutoUpdate = false;
-    mesh.matrix = new Matrix4().makeBasis(a!, b!, c!).setPosition(...at);
-    this.group.add(mesh);
+    const scale = enlargement(sigmas * Math.max(...ellipsoid.sigma), 0.05 * size);
+    if (scale > 0) this.group.add(ellipsoidObject(at, ellipsoid, scale * sigmas, colours.probe));
     return scale;
   }
 }

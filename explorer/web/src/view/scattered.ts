@@ -10,19 +10,21 @@ import {
   ShaderMaterial,
 } from 'three';
 import { Drawn, type Field, type PointsPart, type SurfacePart } from '../field';
-import { scaleShader } from '../scale';
+import { scaleShader } from '../maps';
 import { paint } from './paint';
-import { scaleUniforms } from './sheet';
+import { blindShader, scaleUniforms } from './uniforms';
 
 const vertexShader = /* glsl */ `
 in float sampleValue;
 in float sampleDrawn;
 out float value, valid;
+flat out float drawn;
 out vec3 toEye;
 uniform float size;
 void main() {
   value = sampleValue;
   valid = sampleDrawn == 1.0 ? 1.0 : 0.0;
+  drawn = sampleDrawn;
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   toEye = eye.xyz;
   gl_PointSize = size;
@@ -32,11 +34,12 @@ void main() {
 
 const head = /* glsl */ `
 precision highp float;
-uniform vec3 blindA, blindB, solid;
 in float value, valid;
+flat in float drawn;
 in vec3 toEye;
 out vec4 colour;
 ${scaleShader}
+${blindShader}
 `;
 
 /** Discs; rings where there is no value. */
@@ -45,7 +48,7 @@ ${head}
 void main() {
   float r = length(gl_PointCoord - 0.5);
   if (r > 0.5 || (valid < 0.5 && r < 0.28)) discard;
-  colour = vec4(valid < 0.5 ? blindA : colourOf(value), 1.0);
+  colour = vec4(valid < 0.5 ? (drawn < 0.5 ? blindA : withoutValue(drawn)) : colourOf(value), 1.0);
 }
 `;
 
@@ -56,8 +59,7 @@ void main() {
   vec3 normal = normalize(cross(dFdx(toEye), dFdy(toEye)));
   float light = 0.78 + 0.22 * abs(normal.z);
   if (valid < 0.999) {
-    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
-    colour = vec4(light * (stripe < 5.0 ? blindA : blindB), 1.0);
+    colour = vec4(light * withoutValue(drawn == 1.0 ? 0.0 : drawn), 1.0);
   } else {
     colour = vec4(light * colourOf(value), 1.0);
   }

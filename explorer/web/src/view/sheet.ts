@@ -2,7 +2,6 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
   DataTexture,
   DoubleSide,
   FloatType,
@@ -14,7 +13,8 @@ import {
   Vector3,
 } from 'three';
 import { Drawn } from '../field';
-import { Scale, scaleShader } from '../scale';
+import { scaleShader } from '../maps';
+import { blindShader, scaleUniforms } from './uniforms';
 
 const vertexShader = /* glsl */ `
 out vec2 at;
@@ -32,21 +32,16 @@ precision highp sampler2D;
 uniform sampler2D samples;  // value, Drawn
 uniform vec2 counts;
 uniform bool blend;
-uniform vec3 blindA, blindB, solid;
 in vec2 at;
 out vec4 colour;
 ${scaleShader}
+${blindShader}
 void main() {
   vec2 s = clamp(at, 0.0, 1.0) * (counts - 1.0);
   ivec2 last = ivec2(counts) - 1;
   vec2 nearest = texelFetch(samples, min(ivec2(s + 0.5), last), 0).xy;
-  if (nearest.y < 0.5) {
-    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
-    colour = vec4(stripe < 5.0 ? blindA : blindB, 1.0);
-    return;
-  }
-  if (nearest.y > 1.5) {
-    colour = vec4(solid, 1.0);
+  if (nearest.y < 0.5 || nearest.y > 1.5) {
+    colour = vec4(withoutValue(nearest.y), 1.0);
     return;
   }
   float value = nearest.x;
@@ -66,33 +61,11 @@ void main() {
     value = sum / weights;
   }
   colour = vec4(colourOf(value), 1.0);
+  // Where there is no difference runs a line.
+  float slope = fwidth(value);
+  if (difference && slope > 0.0 && abs(value) < slope) colour.rgb *= 0.25;
 }
 `;
-
-/** Colours of what has no value; the page's theme sets them. */
-export const blindColours = {
-  a: new Color('#5b6270'),
-  b: new Color('#2b303b'),
-  solid: new Color('#14161c'),
-};
-
-/** What all drawn values share. */
-export function scaleUniforms() {
-  return {
-    range: { value: new Vector2(0, 1) },
-    logarithmic: { value: false },
-    brightIsLarge: { value: false },
-    blindA: { value: blindColours.a },
-    blindB: { value: blindColours.b },
-    solid: { value: blindColours.solid },
-  };
-}
-
-export function applyScale(material: ShaderMaterial, scale: Scale): void {
-  material.uniforms.range!.value.set(scale.min, scale.max);
-  material.uniforms.logarithmic!.value = scale.logarithmic;
-  material.uniforms.brightIsLarge!.value = scale.brightIsLarge;
-}
 
 /** Samples of a sheet, the first direction fastest. */
 export interface SheetData {

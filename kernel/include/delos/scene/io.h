@@ -49,6 +49,9 @@ namespace delos {
 /// The change that gives a scene one of its `motions`, by name, as its motion.
 [[nodiscard]] DELOS_API Override motion_override(const MotionEntry& motion);
 
+/// The change that adds a device to a scene.
+[[nodiscard]] DELOS_API Override device_override(const DeviceEntry& device);
+
 /// The scene with the files that it names by relative paths named by absolute ones, so
 /// that its text can stand in any folder.
 /// @param folder where its relative paths start

@@ -1,0 +1,128 @@
+#include "server/request.h"
+#include "server/verbs.h"
+#include "session/blind_json.h"
+#include "session/device_worth.h"
+#include "session/ellipsoids.h"
+#include "session/point_answer.h"
+#include "session/sections.h"
+
+namespace delos::server {
+namespace {
+
+using session::LoadedScene;
+
+/// Samples that devices are weighed on, and that blind regions are made of.
+constexpr std::size_t kWorthSamples = 4000;
+/// Cuts that a page may ask for at once, and points of a lattice.
+constexpr std::size_t kMostSections = 16, kMostLattice = 1000, kMostRegions = 12;
+/// Samples of a cut, where the page doesn't say.
+constexpr std::size_t kSectionSamples = 10'000, kMostSectionSamples = 100'000;
+
+Reply superseded() {
+  return refusal(Status::conflict, "a newer request took its place");
+}
+
+FieldOptions options_of(const Work& work) {
+  FieldOptions options;
+  options.threads = work.threads;
+  options.cancel = work.stop;
+  return options;
+}
+
+Reply packed_reply(const Work& work, const session::DrawnField& drawn) {
+  if (*work.stop) return superseded();
+  return {Status::ok, "application/octet-stream",
+          session::packed(drawn, work.visitor.revision)};
+}
+
+/// An answer with the revision that it is of.
+Reply revised(const Work& work, Json json) {
+  if (*work.stop) return superseded();
+  json["revision"] = work.visitor.revision;
+  return json_reply(json);
+}
+
+session::Baseline& baseline(const Work& work) {
+  if (!work.visitor.pinned) throw BadRequest("no design is pinned");
+  return work.visitor.pinned->baseline;
+}
+
+}  // namespace
+
+Reply field(const Work& work) {
+  const std::string of = text_or_empty(work.request, "of");
+  if (!of.empty() && of != "pinned") throw BadRequest("'of' must be pinned, or absent");
+  const LoadedScene& loaded =
+      of.empty() ? work.visitor.design.loaded() : baseline(work).loaded;
+  return packed_reply(
+      work, session::draw_field(loaded, most_samples(work.request), options_of(work)));
+}
+
+Reply difference(const Work& work) {
+  return packed_reply(
+      work, session::draw_difference(work.visitor.design.loaded(), baseline(work),
+                                     most_samples(work.request), options_of(work)));
+}
+
+Reply sections(const Work& work) {
+  const Json& list = member(work.request, "sections");
+  if (!list.is_array() || list.empty() || list.size() > kMostSections)
+    throw BadRequest("'sections' must be a list of 1 to 16 of {origin, u, v}");
+  std::vector<session::Section> all;
+  for (const Json& one : list) {
+    if (!one.is_object()) throw BadRequest("a section must be {origin, u, v}");
+    all.push_back({numbers_at(member(one, "origin"), "origin", 3),
+                   numbers_at(member(one, "u"), "u", 3),
+                   numbers_at(member(one, "v"), "v", 3)});
+    if (all.back().u.cross(all.back().v).norm() < 1e-12)
+      throw BadRequest("'u' and 'v' must span a section");
+  }
+  const std::size_t most = most_samples(work.request);
+  return packed_reply(
+      work, session::draw_sections(
+                work.visitor.design.loaded(), all,
+                most > 0 ? std::min(most, kMostSectionSamples) : kSectionSamples,
+                options_of(work)));
+}
+
+Reply point(const Work& work) {
+  const Eigen::Vector3d at = numbers_at(member(work.request, "at"), "at", 3);
+  const LoadedScene& loaded = work.visitor.design.loaded();
+  const session::PointAnswer answer = session::answer_point(
+      loaded, at, loaded.scene.orientations.rpy.front(), Solver::automatic);
+  const FusedState& state = answer.report.state;
+  return revised(work, {{"point", session::point_json(answer, loaded)},
+                        {"words", session::lost_words(answer, loaded)},
+                        {"ellipsoid", session::ellipsoid_json(loaded.system, state)},
+                        {"lost", session::lost_json(loaded.system, state)}});
+}
+
+Reply lattice(const Work& work) {
+  const std::size_t asked = most_samples(work.request);
+  return revised(
+      work, {{"points", session::lattice_json(
+                            work.visitor.design.loaded(),
+                            asked > 0 ? std::min(asked, kMostLattice) : kMostLattice,
+                            options_of(work))}});
+}
+
+Reply blind(const Work& work) {
+  const LoadedScene& loaded = work.visitor.design.loaded();
+  bool fewer = false;
+  const Field field = evaluate_field(
+      loaded.system, session::drawn_samples(loaded.scene, kWorthSamples, fewer),
+      loaded.scene.orientations, loaded.metric, options_of(work));
+  if (*work.stop) return superseded();
+  return revised(work, session::blind_json(loaded, field, kMostRegions));
+}
+
+Reply worth(const Work& work) {
+  const LoadedScene& loaded = work.visitor.design.loaded();
+  const Samples samples =
+      make_samples(session::coarser(loaded.scene.samples, kWorthSamples));
+  const auto all = session::device_worth(loaded, samples, options_of(work));
+  if (*work.stop) return superseded();
+  return revised(work, session::worth_json(all, samples));
+}
+
+}  // namespace delos::server

@@ -1,0 +1,125 @@
+#include "server/request.h"
+#include "server/verbs.h"
+#include "session/more_devices.h"
+#include "session/placing.h"
+
+namespace delos::server {
+namespace {
+
+/// Take a change over, and describe what came of it.
+Reply changed(const Work& work, std::vector<Override> changes) {
+  if (changes.empty()) throw BadRequest("there is nothing to change");
+  Diagnostics findings;
+  if (!work.visitor.design.change(std::move(changes),
+                                  text_or_empty(work.request, "gesture"), work.plugins,
+                                  findings)) {
+    return refusal(Status::unprocessable,
+                   findings.empty() ? "" : findings.front().message, findings);
+  }
+  ++work.visitor.revision;
+  return json_reply(described(work.visitor, work.plugins));
+}
+
+/// The first way that leaves the scene in order, else what is wrong with the first.
+Reply changed_somehow(const Work& work, const session::Ways& ways) {
+  if (const auto* why = std::get_if<std::string>(&ways))
+    return refusal(Status::unprocessable, *why);
+  std::optional<Reply> first;
+  for (const Override& way : std::get<std::vector<Override>>(ways)) {
+    Reply reply = changed(work, {way});
+    if (reply.status == Status::ok) return reply;
+    if (!first) first = std::move(reply);
+  }
+  return first.value_or(refusal(Status::unprocessable, "there is no way to do it"));
+}
+
+const session::LoadedScene& loaded_of(const Work& work) {
+  return work.visitor.design.loaded();
+}
+
+/// After undo and redo: where there was nothing to do, all stays.
+Reply stepped(const Work& work, bool done) {
+  if (done) ++work.visitor.revision;
+  return json_reply(described(work.visitor, work.plugins));
+}
+
+}  // namespace
+
+Reply change(const Work& work) {
+  const Json& set = member(work.request, "set");
+  if (!set.is_array()) throw BadRequest("'set' must be a list of {path, value}");
+  std::vector<Override> changes;
+  for (const Json& one : set) {
+    if (!one.is_object()) throw BadRequest("'set' must be a list of {path, value}");
+    changes.push_back({text_at(one, "path"), text_at(one, "value")});
+  }
+  return changed(work, std::move(changes));
+}
+
+Reply place(const Work& work) {
+  const Json& request = work.request;
+  std::optional<Eigen::Vector3d> p;
+  std::optional<Eigen::Matrix3d> R;
+  if (request.contains("p")) p = numbers_at(request["p"], "p", 3);
+  if (request.contains("q")) {
+    const Eigen::Vector4d q = numbers_at(request["q"], "q", 4);
+    if (q.norm() < 1e-6) throw BadRequest("'q' has no length");
+    R = Eigen::Quaterniond(q(0), q(1), q(2), q(3)).normalized().toRotationMatrix();
+  }
+  auto changes =
+      session::placing(loaded_of(work).scene, text_at(request, "device"), p, R);
+  if (const auto* why = std::get_if<std::string>(&changes))
+    return refusal(Status::unprocessable, *why);
+  return changed(work, std::get<std::vector<Override>>(std::move(changes)));
+}
+
+Reply add(const Work& work) {
+  std::optional<Eigen::Vector3d> at;
+  if (work.request.contains("at")) at = numbers_at(work.request["at"], "at", 3);
+  return changed_somehow(
+      work, session::adding(loaded_of(work), text_at(work.request, "type"),
+                            text_or_empty(work.request, "preset"), at, work.plugins));
+}
+
+Reply copy(const Work& work) {
+  Eigen::Vector3d by = Eigen::Vector3d::Zero();
+  if (work.request.contains("by")) by = numbers_at(work.request["by"], "by", 3);
+  return changed_somehow(
+      work, session::copying(loaded_of(work), text_at(work.request, "device"), by));
+}
+
+Reply mirror(const Work& work) {
+  const std::string axes = "xyz", axis = text_at(work.request, "axis");
+  const std::size_t which = axes.find(axis);
+  if (axis.size() != 1 || which == std::string::npos)
+    throw BadRequest("'axis' must be x, y or z");
+  return changed_somehow(
+      work, session::mirroring(loaded_of(work), text_at(work.request, "device"),
+                               static_cast<int>(which)));
+}
+
+Reply remove(const Work& work) {
+  return changed_somehow(
+      work, session::removing(loaded_of(work), text_at(work.request, "device")));
+}
+
+Reply undo(const Work& work) {
+  return stepped(work, work.visitor.design.undo(work.plugins));
+}
+
+Reply redo(const Work& work) {
+  return stepped(work, work.visitor.design.redo(work.plugins));
+}
+
+Reply pin(const Work& work) {
+  Json description = described(work.visitor, work.plugins);
+  work.visitor.pinned = Pinned{{loaded_of(work), {}}, std::move(description)};
+  return json_reply(described(work.visitor, work.plugins));
+}
+
+Reply unpin(const Work& work) {
+  work.visitor.pinned.reset();
+  return json_reply(described(work.visitor, work.plugins));
+}
+
+}  // namespace delos::server

@@ -1,0 +1,76 @@
+#include "session/difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace delos::session {
+namespace {
+
+/// The baseline's metric over samples, evaluated only where they or the metric are
+/// others than the last time.
+const Field& baseline_field(Baseline& baseline, const LoadedScene& loaded,
+                            const Samples& samples, const FieldOptions& options) {
+  const std::optional<Field>& kept = baseline.field;
+  if (kept && !kept->cancelled && kept->metric == loaded.metric.name &&
+      kept->samples.points == samples.points)
+    return *kept;
+  const std::string problem = metric_problem(baseline.loaded.system, loaded.metric);
+  if (!problem.empty())
+    throw std::invalid_argument("what was pinned can't be compared: " + problem);
+  baseline.field =
+      evaluate_field(baseline.loaded.system, samples,
+                     baseline.loaded.scene.orientations, loaded.metric, options);
+  return *baseline.field;
+}
+
+Drawn change_of(double before, double after, bool inside) {
+  if (inside) return Drawn::inside;
+  const bool was = std::isfinite(before), is = std::isfinite(after);
+  if (was && is) return Drawn::value;
+  return is ? Drawn::gained : was ? Drawn::lost : Drawn::blind;
+}
+
+Json extreme_json(const Extreme& extreme, std::size_t common) {
+  if (common == 0) return {};
+  return {{"value", number(extreme.value)}, {"at", numbers(extreme.at)}};
+}
+
+}  // namespace
+
+DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
+                           std::size_t most, const FieldOptions& options) {
+  DrawnField drawn;
+  const Samples samples = drawn_samples(loaded.scene, most, drawn.coarse);
+  const Field& before = baseline_field(baseline, loaded, samples, options);
+  const Field after = evaluate_field(loaded.system, samples, loaded.scene.orientations,
+                                     loaded.metric, options);
+  Comparison comparison = compare_fields(before, after);
+  for (std::size_t i = 0; i < after.value.size(); ++i) {
+    const bool inside = (!after.inside.empty() && after.inside[i] != 0) ||
+                        (!before.inside.empty() && before.inside[i] != 0);
+    drawn.mask.push_back(change_of(before.value[i], after.value[i], inside));
+  }
+  drawn.field = std::move(comparison.difference);
+  drawn.field.larger_is_better = after.larger_is_better;
+  const auto count = [&](Drawn what) {
+    return static_cast<std::size_t>(
+        std::count(drawn.mask.begin(), drawn.mask.end(), what));
+  };
+  const std::size_t counted = drawn.mask.size() - count(Drawn::inside);
+  const FieldStatistics extremes = summarize(drawn.field);
+  drawn.summary = {
+      {"metric", {{"name", loaded.metric.name}, {"unit", loaded.metric.unit}}},
+      {"samples", counted},
+      {"finite", comparison.common},
+      {"mean", comparison.common > 0 ? number(comparison.mean) : Json()},
+      {"min", extreme_json(extremes.min, comparison.common)},
+      {"max", extreme_json(extremes.max, comparison.common)},
+      {"better", number(comparison.improved_fraction)},
+      {"gained", count(Drawn::gained)},
+      {"lost", count(Drawn::lost)}};
+  return drawn;
+}
+
+}  // namespace delos::session

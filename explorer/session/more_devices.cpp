@@ -1,0 +1,137 @@
+#include "session/more_devices.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delos/scene/io.h"
+#include "delos/text/units.h"
+#include "session/description.h"
+#include "session/palette.h"
+#include "session/placing.h"
+
+namespace delos::session {
+namespace {
+
+constexpr double kUsualRate = 60;  ///< updates a second, where no device has another
+
+const DeviceEntry* device_of(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.devices.begin(), scene.devices.end(),
+                                  [&](const DeviceEntry& d) { return d.name == name; });
+  return found == scene.devices.end() ? nullptr : &*found;
+}
+
+std::string there_is_no(const std::string& device) {
+  return "there is no device '" + device + "'";
+}
+
+std::string vector_text(const Eigen::Vector3d& v) {
+  return "[" + shortest(v.x()) + ", " + shortest(v.y()) + ", " + shortest(v.z()) + "]";
+}
+
+/// The turn about the z axis, from x towards y, between two frames that share it.
+double roll_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  return std::atan2(to.col(0).dot(from.col(1)), to.col(0).dot(from.col(0)));
+}
+
+}  // namespace
+
+std::string free_name(const Scene& scene, const std::string& like) {
+  std::string base = like;
+  const std::size_t mark = base.find_last_not_of("0123456789");
+  if (mark != std::string::npos && mark + 1 < base.size() && mark > 0 &&
+      base[mark] == '_')
+    base.resize(mark);
+  for (int n = 2;; ++n) {
+    std::string name = base + "_" + std::to_string(n);
+    if (!device_of(scene, name)) return name;
+  }
+}
+
+Placement placed_like(const Placement& like, const Pose& pose) {
+  Placement placement{pose.p, {}};
+  if (const auto* aim = std::get_if<Aim>(&like.facing)) {
+    const double distance = (aim->at - like.at).norm();
+    const Eigen::Vector3d at = pose.p + distance * pose.R.col(2);
+    placement.facing = Aim{at, roll_between(rotation_from_aim(pose.p, at), pose.R)};
+  } else if (std::holds_alternative<QuaternionWxyz>(like.facing)) {
+    const Eigen::Quaterniond q(pose.R);
+    placement.facing = QuaternionWxyz{{q.w(), q.x(), q.y(), q.z()}};
+  } else if (!pose.R.isIdentity(1e-12)) {
+    placement.facing = Rpy{rpy_of(pose.R)};
+  }
+  return placement;
+}
+
+Ways adding(const LoadedScene& loaded, const std::string& type,
+            const std::string& preset, const std::optional<Eigen::Vector3d>& at,
+            PluginRegistry& plugins) {
+  const PluginLoad& plugin = plugins.find(type);
+  if (!plugin.info) return plugin.error;
+  const std::string params =
+      preset.empty() ? first_params(*plugin.info) : preset_params(type, preset);
+  if (params.empty())
+    return preset.empty()
+               ? type + " has parameters without a default, and no example of them"
+               : "there is no " + type + " '" + preset + "'";
+  const Scene& scene = loaded.scene;
+  const Eigen::AlignedBox3d samples = sample_box(scene), room = room_box(loaded);
+  const Eigen::Vector3d middle = samples.center();
+  const Eigen::Vector3d place =
+      at.value_or(Eigen::Vector3d(middle.x(), middle.y(), room.max().z()));
+  const double rate =
+      scene.devices.empty() ? kUsualRate : rate_of(scene.devices.front());
+  const std::string head = "{name: " + free_name(scene, type) + ", type: " + type +
+                           ", rate: " + shortest(rate) + ", params: " + params;
+  const bool apart = (place - middle).norm() > 1e-6;
+  return std::vector<Override>{
+      {"devices.+", head + ", at: " + vector_text(place) +
+                        (apart ? ", aim: " + vector_text(middle) : "") + "}"},
+      {"devices.+", head + ", mount: target}"}};
+}
+
+Ways copying(const LoadedScene& loaded, const std::string& device,
+             const Eigen::Vector3d& by) {
+  const DeviceEntry* like = device_of(loaded.scene, device);
+  if (!like) return there_is_no(device);
+  DeviceEntry copy = *like;
+  copy.name = free_name(loaded.scene, device);
+  if (copy.mount == Mount::world && !copy.mounting) {
+    const Pose frame = group_frame(loaded.scene, copy.group);
+    const Eigen::Vector3d step = frame.R.transpose() * by;
+    copy.placement.at += step;
+    // It goes on looking the same way.
+    if (auto* aim = std::get_if<Aim>(&copy.placement.facing)) aim->at += step;
+  }
+  return std::vector<Override>{device_override(copy)};
+}
+
+// A mirror M = I − 2 e eᵀ turns right-handed frames into left-handed ones; mirrored
+// once more along the device's own x axis, its z axis stays where the mirror shows it:
+// R′ = M R diag(−1, 1, 1).
+Ways mirroring(const LoadedScene& loaded, const std::string& device, int axis) {
+  const Scene& scene = loaded.scene;
+  const DeviceEntry* like = device_of(scene, device);
+  if (!like) return there_is_no(device);
+  if (like->mount == Mount::target)
+    return device + " is carried by the target, which has no mirror in the room";
+  Pose X_WS = device_pose(scene, *like);
+  const double middle = sample_box(scene).center()(axis);
+  X_WS.p(axis) = 2 * middle - X_WS.p(axis);
+  X_WS.R.row(axis) *= -1;
+  X_WS.R.col(0) *= -1;
+  DeviceEntry copy = *like;
+  copy.name = free_name(scene, device);
+  copy.mounting.reset();
+  const Pose X_GS = group_frame(scene, copy.group).inverse() * X_WS;
+  copy.placement = placed_like(like->placement, X_GS);
+  return std::vector<Override>{device_override(copy)};
+}
+
+Ways removing(const LoadedScene& loaded, const std::string& device) {
+  if (!device_of(loaded.scene, device)) return there_is_no(device);
+  if (loaded.scene.devices.size() == 1)
+    return device + " is the only device: without it nothing is measured";
+  return std::vector<Override>{{"devices.-", device}};
+}
+
+}  // namespace delos::session

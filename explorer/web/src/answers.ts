@@ -1,0 +1,96 @@
+// What is worked out of a design for its picture: coarse while a hand moves, then all of it.
+import { unpack, type Field } from './field';
+import type { Shown } from './picture';
+import type { BlindRegions, Lattice, PointReport, Session, Vec3, Worth } from './server';
+import { sectionOf, type Viewing } from './viewing';
+
+/** Samples that are worked out while a hand moves; the rest follows. */
+const coarseSamples = 20_000;
+const sectionSamples = { coarse: 1500, full: 10_000 };
+const latticePoints = 150;
+
+export interface Heard {
+  drawn: () => void;
+  answered: () => void;
+  uncertain: () => void;
+  valued: (worth: Worth) => void;
+}
+
+export class Answers {
+  constructor(
+    private readonly shown: Shown,
+    private readonly viewing: Viewing,
+    private readonly heard: Heard,
+  ) {}
+
+  /** The picture, coarse where the field is large. */
+  async draw(session: Session, signal: AbortSignal): Promise<void> {
+    await this.fields(session, coarseSamples, sectionSamples.coarse, signal);
+    this.heard.drawn();
+  }
+
+  /** What can wait. */
+  async rest(session: Session, signal: AbortSignal): Promise<void> {
+    const { shown, viewing } = this;
+    if (shown.field!.level === 'coarse' || this.sectionsAsked().length > 0) {
+      await this.fields(session, 0, sectionSamples.full, signal);
+      this.heard.drawn();
+    }
+    if (this.pinned && viewing.compare !== 'difference') {
+      shown.difference = await this.field(session, 'difference', { most: 0 }, signal);
+      this.heard.drawn();
+    }
+    if (shown.asked) await this.point(session, shown.asked, signal);
+    shown.lattice = viewing.lattice ? await session.ask<Lattice>('lattice', { most: latticePoints }, signal) : null;
+    shown.blind = viewing.blind ? await session.ask<BlindRegions>('blind', {}, signal) : null;
+    if (viewing.lattice || viewing.blind) this.heard.uncertain();
+    this.heard.valued(await session.ask<Worth>('worth', {}, signal));
+  }
+
+  /** What is shown now needs more than is known. */
+  get lacking(): boolean {
+    const { shown, viewing } = this;
+    return (
+      (viewing.lattice && !shown.lattice) ||
+      (viewing.blind && !shown.blind) ||
+      (this.pinned && ((viewing.compare === 'difference' && !shown.difference) || (viewing.compare === 'beside' && !shown.pinned))) ||
+      JSON.stringify(this.sectionsAsked()) !== this.sectionsKnown
+    );
+  }
+  private sectionsKnown = '[]';
+
+  private get pinned(): boolean {
+    return this.shown.description!.pinned !== null;
+  }
+
+  private sectionsAsked() {
+    const { box } = this.shown.description!;
+    return this.viewing.slants.flatMap((slant) => sectionOf(slant, box) ?? []);
+  }
+
+  private async field(session: Session, verb: string, more: object, signal: AbortSignal): Promise<Field> {
+    return unpack(await session.bytes(verb, more, signal));
+  }
+
+  private async fields(session: Session, most: number, ofSection: number, signal: AbortSignal): Promise<void> {
+    const { shown, viewing } = this;
+    const field = await this.field(session, 'field', { most }, signal);
+    const sections = this.sectionsAsked();
+    const cuts = sections.length > 0 ? await this.field(session, 'sections', { sections, most: ofSection }, signal) : null;
+    if (this.pinned && viewing.compare === 'difference') shown.difference = await this.field(session, 'difference', { most }, signal);
+    if (this.pinned && viewing.compare === 'beside') await this.baseline(session, signal);
+    [shown.field, shown.sections, this.sectionsKnown] = [field, cuts, JSON.stringify(sections)];
+  }
+
+  /** What is pinned stays: it is asked once. */
+  private async baseline(session: Session, signal: AbortSignal): Promise<void> {
+    if (this.shown.pinned) return;
+    const description = await session.ask<NonNullable<Shown['pinned']>['description']>('pinned', {}, signal);
+    this.shown.pinned = { description, field: await this.field(session, 'field', { most: 0, of: 'pinned' }, signal) };
+  }
+
+  private async point(session: Session, at: Vec3, signal: AbortSignal): Promise<void> {
+    this.shown.report = await session.ask<PointReport>('point', { at }, signal);
+    this.heard.answered();
+  }
+}

@@ -1,0 +1,101 @@
+// What can be done, by name and by key.
+import type { Command } from './commands';
+import type { ViewName } from './view/stage';
+import type { Viewing } from './viewing';
+
+/** What commands do. */
+export interface Doings {
+  viewing: Viewing;
+  viewed: () => void;
+  look: (from: ViewName) => void;
+  lookThrough: () => void;
+  move: (mode: 'translate' | 'rotate') => void;
+  letGo: () => void;
+  next: (step: number) => void;
+  add: () => void;
+  copy: () => void;
+  mirror: (axis: 'x' | 'y') => void;
+  remove: () => void;
+  pin: (pinned: boolean) => void;
+  undo: () => void;
+  redo: () => void;
+  save: () => void;
+  open: () => void;
+  theme: () => void;
+  snap: () => void;
+  slice: (axis: number) => void;
+  slant: () => void;
+  commands: () => void;
+  help: () => void;
+  hasScene: () => boolean;
+  hasDevice: () => boolean;
+  hasPin: () => boolean;
+}
+
+const bodies: Viewing['body'][] = ['none', 'volume', 'between'];
+const comparisons: Viewing['compare'][] = ['design', 'difference', 'beside'];
+const views: [ViewName, string, string][] = [
+  ['corner', 'f', 'Look at the whole room'],
+  ['top', '7', 'Look from above'],
+  ['below', 'ctrl+7', 'Look from below'],
+  ['front', '1', 'Look from the front'],
+  ['back', 'ctrl+1', 'Look from the back'],
+  ['side', '3', 'Look from the right'],
+  ['left', 'ctrl+3', 'Look from the left'],
+];
+
+const after = <T>(all: T[], one: T): T => all[(all.indexOf(one) + 1) % all.length]!;
+
+export function commandsOf(doings: Doings): Command[] {
+  const { viewing, hasScene, hasDevice, hasPin } = doings;
+  const show = (name: string, keys: string[], change: () => void): Command => ({
+    name,
+    keys,
+    ready: hasScene,
+    run: () => {
+      change();
+      doings.viewed();
+    },
+  });
+  const toggle = (name: string, key: string, what: 'surface' | 'lattice' | 'blind' | 'logarithmic' | 'frusta' | 'names' | 'reversed') =>
+    show(name, key ? [key] : [], () => (viewing[what] = !viewing[what]));
+  const device = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: hasDevice });
+  const scene = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: hasScene });
+  const level = (by: number) => () => (viewing.level = Math.min(1, Math.max(0, viewing.level + by)));
+  return [
+    { name: 'All commands', keys: ['ctrl+k', '/'], run: doings.commands },
+    scene('Undo', ['ctrl+z'], doings.undo),
+    scene('Redo', ['ctrl+y', 'ctrl+shift+z'], doings.redo),
+    { name: 'Open a scene', keys: ['o'], run: doings.open },
+    scene('Save as a scene file', ['ctrl+s'], doings.save),
+    scene('Choose the next device', ['j'], () => doings.next(1)),
+    scene('Choose the device before', ['k'], () => doings.next(-1)),
+    scene('Let go', ['escape'], doings.letGo),
+    scene('Add a device', ['a'], doings.add),
+    device('Copy the chosen device', ['d'], doings.copy),
+    device('Mirror the chosen device across x', ['m'], () => doings.mirror('x')),
+    device('Mirror the chosen device across y', ['shift+m'], () => doings.mirror('y')),
+    device('Remove the chosen device', ['delete'], doings.remove),
+    device('Move the chosen device', ['g'], () => doings.move('translate')),
+    device('Turn the chosen device', ['r'], () => doings.move('rotate')),
+    device('Look through the chosen device', ['0'], doings.lookThrough),
+    scene('Snap to 5 cm and 5 degrees', ['n'], doings.snap),
+    ...views.map(([from, key, name]) => scene(name, [key], () => doings.look(from))),
+    ...['x', 'y', 'z'].map((axis, k) => scene(`Slice across ${axis}`, [axis], () => doings.slice(k))),
+    scene('Add a slanted slice', ['shift+x'], doings.slant),
+    toggle('Surface', 'i', 'surface'),
+    show('Raise the level of the surface', [']'], level(0.02)),
+    show('Lower the level of the surface', ['['], level(-0.02)),
+    show('Volume: not drawn, a cloud, between two values', ['v'], () => (viewing.body = after(bodies, viewing.body))),
+    toggle('Logarithmic colours', 'l', 'logarithmic'),
+    toggle('Dark is good', '', 'reversed'),
+    toggle('Ellipsoids and lost directions', 'e', 'lattice'),
+    toggle('Blind regions', 'b', 'blind'),
+    toggle('Frusta', 'shift+f', 'frusta'),
+    toggle('Names', 'shift+n', 'names'),
+    scene('Pin this design, or unpin', ['p'], () => doings.pin(!hasPin())),
+    { ...show('Compare: the design, the difference, side by side', ['c'], () => (viewing.compare = after(comparisons, viewing.compare))), ready: hasPin },
+    { name: 'Dark or light', keys: ['shift+t'], run: doings.theme },
+    { name: 'Keys and mouse', keys: ['?'], run: doings.help },
+  ];
+}

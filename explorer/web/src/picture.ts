@@ -1,0 +1,193 @@
+// The picture: what is drawn of a design, and of the one that it is compared with.
+import { Group, type Raycaster } from 'three';
+import { Gizmo, type Place } from './gizmo';
+import type { Field, GridPart } from './field';
+import { Scale } from './scale';
+import type { Around, BlindRegions, Description, Device, Lattice, PointReport, Vec3 } from './server';
+import type { Drawing } from './theme';
+import { blindBoxes } from './view/blindboxes';
+import { latticeObject } from './view/ellipsoid';
+import { FieldView, type FieldOptions } from './view/fieldview';
+import { Icons } from './view/icons';
+import { Probe } from './view/probe';
+import { discard, Room } from './view/room';
+import { Stage } from './view/stage';
+import type { Viewing } from './viewing';
+
+/** What is known of a design. */
+export interface Shown {
+  description: Description | null;
+  around: Around;
+  field: Field | null;
+  /** Of the design minus what is pinned. */
+  difference: Field | null;
+  pinned: { description: Description; field: Field } | null;
+  sections: Field | null;
+  lattice: Lattice | null;
+  blind: BlindRegions | null;
+  selected: string | null;
+  asked: Vec3 | null;
+  report: PointReport | null;
+}
+
+export const nothingShown = (): Shown => ({
+  description: null,
+  around: { occluders: [], beacons: [] },
+  field: null,
+  difference: null,
+  pinned: null,
+  sections: null,
+  lattice: null,
+  blind: null,
+  selected: null,
+  asked: null,
+  report: null,
+});
+
+const sizeOf = ({ room: { min, max } }: Description) => Math.hypot(...max.map((x, k) => x - min[k]!));
+
+/** Ends of two fields together, so that their colours mean the same. */
+function rangeOf(...fields: Field[]): { min: number; max: number; largerIsBetter: boolean } | null {
+  const ends = fields.flatMap(({ summary: { min, max } }) => (min && max ? [min.value, max.value] : []));
+  if (ends.length === 0) return null;
+  return { min: Math.min(...ends), max: Math.max(...ends), largerIsBetter: fields[0]!.largerIsBetter };
+}
+
+export class Picture {
+  readonly stage: Stage;
+  readonly gizmo: Gizmo;
+  private readonly room = new Room();
+  private readonly design = new Group();
+  private readonly baseline = new Group();
+  private readonly uncertainty = new Group();
+  private readonly fieldView = new FieldView();
+  private readonly icons = new Icons();
+  private readonly probe = new Probe();
+  private readonly baselineView = new FieldView();
+  private readonly baselineIcons = new Icons();
+  /** By how much ellipsoids are enlarged: that of the point. */
+  enlarged = 0;
+  /** That of the lattice's. */
+  latticeEnlarged = 0;
+
+  constructor(
+    host: HTMLElement,
+    private readonly viewing: Viewing,
+    place: Place,
+    dropped: () => void,
+  ) {
+    this.stage = new Stage(host);
+    this.design.add(this.fieldView.group, this.icons.group, this.probe.group, this.uncertainty);
+    this.baseline.add(this.baselineView.group, this.baselineIcons.group);
+    this.baseline.visible = false;
+    this.stage.scene.add(this.room.group, this.design, this.baseline);
+    this.stage.through(this.fieldView.volume, this.baselineView.volume);
+    this.gizmo = new Gizmo(this.stage, place, dropped);
+  }
+
+  /** Metres between the lines of the floor. */
+  drawRoom({ description, around }: Shown, colours: Drawing): number {
+    const { box, room } = description!;
+    this.room.show(box, room, around, colours);
+    return this.room.step;
+  }
+
+  /** Whether the halves show two designs. */
+  private besides({ pinned }: Shown): boolean {
+    return this.viewing.compare === 'beside' && pinned !== null;
+  }
+
+  drawDevices(shown: Shown, colours: Drawing): void {
+    const { description, selected, pinned } = shown;
+    if (!description) return;
+    if (this.gizmo.dragging) return this.icons.move(description, selected);
+    const { frusta, names: labels } = this.viewing;
+    this.icons.show(description, { selected, frusta, labels }, colours);
+    if (pinned) this.baselineIcons.show(pinned.description, { selected: null, frusta, labels: false }, colours);
+    const device = description.devices.find((d) => d.name === selected);
+    // Its handles know one picture only.
+    this.gizmo.hold(device?.surface || this.besides(shown) ? null : this.icons.find(selected));
+  }
+
+  drawProbe({ asked, report, description }: Shown, colours: Drawing): void {
+    if (!asked || !description) return this.probe.clear();
+    this.enlarged = this.probe.show(asked, report, sizeOf(description), this.viewing.sigmas, colours);
+  }
+
+  drawUncertainty({ lattice, blind }: Shown, colours: Drawing): void {
+    for (const child of [...this.uncertainty.children]) discard(child);
+    const { viewing } = this;
+    if (viewing.blind && blind) this.uncertainty.add(blindBoxes(blind, colours.lost));
+    if (!viewing.lattice || !lattice || lattice.points.length === 0) return;
+    const spacing = spacingOf(lattice.points.map((p) => p.at));
+    const { group, scale } = latticeObject(lattice, viewing.sigmas, spacing, colours.edge, colours.lost);
+    this.latticeEnlarged = scale;
+    this.uncertainty.add(group);
+  }
+
+  /** Draw the field. @returns what the colours are of, their scale, and which values are marked */
+  drawField(shown: Shown, colours: Drawing): { drawn: Field; scale: Scale | null; marks: number[] } {
+    const { viewing } = this;
+    const difference = viewing.compare === 'difference' ? shown.difference : null;
+    const drawn = difference ?? shown.field!;
+    const besides = this.besides(shown);
+    const range = rangeOf(drawn, ...(besides ? [shown.pinned!.field] : []));
+    const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
+    const options = this.optionsOf(drawn, scale);
+    this.fieldView.show(drawn, { ...options, sections: difference ? null : shown.sections }, scale, colours.edge);
+    if (besides) this.baselineView.show(shown.pinned!.field, options, scale, colours.edge);
+    this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
+    this.baseline.visible = besides;
+    this.design.visible = true;
+    const marks = [...(options.level === null ? [] : [options.level]), ...(Array.isArray(options.volume) ? options.volume : [])];
+    return { drawn, scale, marks: marks.filter(Number.isFinite) };
+  }
+
+  private optionsOf(field: Field, scale: Scale | null): FieldOptions {
+    const { viewing } = this;
+    const grid = field.parts.some((part): part is GridPart => part.kind === 'grid');
+    const [low, high] = viewing.between;
+    const ends = (s: Scale): [number, number] => [low === 0 ? -Infinity : s.at(low), high === 1 ? Infinity : s.at(high)];
+    return {
+      slices: [0, 1, 2].filter((k) => viewing.slices[k]).map((axis) => ({ axis, at: viewing.at[axis]! })),
+      level: viewing.surface && grid && scale ? scale.at(viewing.level) : null,
+      volume: !grid || !scale || viewing.body === 'none' ? null : viewing.body === 'volume' ? 'cloud' : ends(scale),
+      sections: null,
+    };
+  }
+
+  /** The device, or the place of the field, that a ray meets. */
+  pick(ray: Raycaster): { device: string | null } | { at: Vec3 } | null {
+    const hit = ray
+      .intersectObject(this.icons.group, true)
+      .find(({ object }) => 'isMesh' in object && !seeThrough(object));
+    if (hit) return { device: this.icons.nameOf(hit.object) };
+    const at = this.fieldView.pick(ray);
+    return at && { at };
+  }
+
+  /** A distance that is seen: some sizes of an icon, rounded. */
+  stepBeside({ description }: Shown): number {
+    return Number((0.06 * sizeOf(description!)).toPrecision(1));
+  }
+
+  hasIcon(name: string | null): boolean {
+    return this.icons.find(name) !== null && !this.stage.halved;
+  }
+
+  lookThrough(device: Device): void {
+    const icon = this.icons.find(device.name);
+    this.gizmo.hold(null);
+    if (icon) icon.visible = false; // from inside its housing nothing is seen
+    this.stage.lookThrough(device);
+  }
+}
+
+/** A frustum is no thing to click on. */
+const seeThrough = (object: object) => (object as { material?: { transparent?: boolean } }).material?.transparent === true;
+
+/** The least distance between two points of a lattice. */
+function spacingOf(points: Vec3[]): number {
+  const first = points[0]!;
+  return Math.min(Infinity, ...points.slice(1).map((p) => Math.hypot(...p.map((x, k) => x - first[k]!)))) || 1;
+}
