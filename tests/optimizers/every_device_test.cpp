@@ -71,7 +71,7 @@ std::string scene_text(const DeviceCase& c, unsigned which, const std::string& m
 
 constexpr unsigned kAll = (1u << kDevices) - 1;
 
-class EveryDevice : public testing::TestWithParam<DeviceCase> {};
+class EveryDevice : public ::testing::TestWithParam<DeviceCase> {};
 
 /// `point` asks devices one by one, and sums no information.
 TEST_P(EveryDevice, FieldsInLanesAreThoseOfPointsOneByOne) {
@@ -263,7 +263,7 @@ const std::vector<DeviceCase>& device_cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, EveryDevice, testing::ValuesIn(device_cases()),
+INSTANTIATE_TEST_SUITE_P(Devices, EveryDevice, ::testing::ValuesIn(device_cases()),
                          [](const auto& of) { return std::string(of.param.name); });
 
 /// The others measure how the target moves, are carried by it, or have tests of their

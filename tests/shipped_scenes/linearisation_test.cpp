@@ -78,7 +78,7 @@ TEST_P(Linearisation, IsAsBadAsTheMetricSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Linearisation,
-    testing::Values(
+    ::testing::Values(
         Case{"acoustic", "01-acoustic", {0.2, 0.2, 0.4}},
         Case{"acoustic_bent", "01-acoustic", {0.2, 0.2, 0.4}, 100},
         Case{"cameras", "05-optitrack-lab", {0, 0, 1.5}, 1, 600, 0.5},

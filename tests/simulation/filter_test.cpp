@@ -154,7 +154,7 @@ TEST(Filters, TakeAnglesAcrossTheirSeamForNeighbours) {
     expect_predicted(s);
     EXPECT_TRUE(s.instants.back().nis.inside()) << to_string(kind);
     // What is left at the seam is 2π, where nobody says that they come back.
-    EXPECT_GT(simulate(bearings(false), kOrigin, options).lost, 350u);
+    EXPECT_GT(simulate(bearings(false), kOrigin, options).lost, 100u);
   }
 }
 

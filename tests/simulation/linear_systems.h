@@ -109,8 +109,9 @@ struct CovarianceFit {
 inline CovarianceFit covariance_fit(const SimulatedCovariance& c, std::size_t runs) {
   const Eigen::MatrixXd P = c.predicted, C = c.measured;
   const auto N = static_cast<double>(runs);
-  const auto L = P.llt().matrixL();
-  const Eigen::MatrixXd half = L.solve(C), W = L.solve(half.transpose());
+  const Eigen::LLT<Eigen::MatrixXd> split(P);
+  const Eigen::MatrixXd half = split.matrixL().solve(C),
+                        W = split.matrixL().solve(half.transpose());
   CovarianceFit fit;
   for (Eigen::Index i = 0; i < P.rows(); ++i)
     for (Eigen::Index j = 0; j <= i; ++j) {
@@ -129,6 +130,7 @@ struct LinearCase {
   std::string name;
   System system;
   double seconds = 0;  ///< to simulate; 0: five time constants
+  int runs = 1500;     ///< in a test, of a second or two
   bool limit = false;  ///< P∞ is one of frequent updates, which errors come near to
 };
 
@@ -174,7 +176,7 @@ inline std::vector<LinearCase> linear_cases() {
       {"continuous",
        moving(2, {axis(0, 1, 200), axis(1, 1, 100), axis(2, 4, 200), axis(1, 2, 200)},
               Fusion::continuous),
-       0, true});
+       0, 400, true});
   all.push_back({"equal_exposures",
                  moving(2, {axis(0, 1e-4, 30, 0, 0.03), axis(1, 1e-4, 30, 0, 0.03),
                             axis(2, 1e-4, 30, 0, 0.03)})});
@@ -183,8 +185,8 @@ inline std::vector<LinearCase> linear_cases() {
                         {axis(0, 1e-4, 30, 0, 0.02), axis(1, 1e-4, 60, 0, 0.01),
                          axis(2, 1e-4, 60), axis(0, 1e-3, 60)},
                         Fusion::periodic)});
-  all.push_back({"biases", biased(Fusion::stacked, 50, 50)});
-  all.push_back({"biases_of_many_rates", biased(Fusion::periodic, 25, 100)});
+  all.push_back({"biases", biased(Fusion::stacked, 50, 50), 0, 1000});
+  all.push_back({"biases_of_many_rates", biased(Fusion::periodic, 25, 100), 0, 500});
   return all;
 }
 

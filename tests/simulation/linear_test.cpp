@@ -29,7 +29,7 @@ std::vector<std::string> names() {
 /// `bench_linear_runs` does the same with 10⁵ runs; its table is in docs/simulation.md.
 TEST_P(Linear, CovariancesAreReachedWithinTheScatterOfTheRuns) {
   const LinearCase& of = case_named(GetParam());
-  const Simulation s = simulated(of, 1500);
+  const Simulation s = simulated(of, of.runs);
   EXPECT_EQ(s.lost, 0u);
   expect_predicted(s);
   expect_settled(s, of.limit ? 0.01 : 1e-3);
@@ -49,7 +49,7 @@ TEST_P(Linear, CovariancesAreReachedWithinTheScatterOfTheRuns) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Systems, Linear, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Systems, Linear, ::testing::ValuesIn(names()),
                          [](const auto& of) { return of.param; });
 
 /// What covariances there are, of which one is worse than another.
