@@ -1,5 +1,5 @@
 // The covariance of 10⁵ filtered runs of each linear system beside P∞, as the table of
-// docs/simulation.md.
+// docs/simulation.md. bench_linear_runs [RUNS [NAME]]
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
                "deviation [its standard error] | χ² (degrees) | NEES (states; band) |\n"
                "|---|---|---|---|---|---|---|\n";
   for (const LinearCase& of : linear_cases()) {
+    if (argc > 2 && of.name != argv[2]) continue;
     const delos::Simulation s =
         simulate(of.system, kOrigin, {.runs = runs, .seed = 1, .seconds = of.seconds});
     const delos::Consistency& nees = s.instants.back().nees;

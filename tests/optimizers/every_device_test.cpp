@@ -37,6 +37,8 @@ struct DeviceCase {
   const char* state = "position";
 };
 
+void PrintTo(const DeviceCase& c, std::ostream* out) { *out << c.name; }
+
 constexpr int kDevices = 6;
 
 /// A scene of some of the six. @param which one bit each
@@ -50,7 +52,7 @@ std::string scene_text(const DeviceCase& c, unsigned which, const std::string& m
   text << "delos: 1\nmotion: {type: position_velocity, state: " << c.state
        << ", q: [0.4" << (pose ? ", 0.4, 0.3, 0.5, 0.6, 0.7" : ", 0.4, 0.3")
        << "]}\nfusion: stacked\nmetric: sigma_position\n"
-          "sample: {volume: {min: [0.33, 0.35, 0.3], max: [1.6, 1.7, 1.1], step: "
+          "sample: {volume: {min: [0.33, 0.35, 0.3], max: [1.53, 1.55, 1.1], step: "
           "0.4}}\ndevices:\n";
   for (int d = 0; d < kDevices; ++d) {
     if (!(which >> d & 1)) continue;
@@ -198,7 +200,7 @@ const std::vector<DeviceCase>& device_cases() {
       {"acoustic", "acoustic_range", {{"r", 0.005}, {"reach", 3.2}}},
       {"bearing",
        "bearing",
-       {{"sigma", 0.02}, {"elevation", 1.3}, {"reach", 3.4}},
+       {{"sigma", 0.02}, {"elevation", 1.2}, {"reach", 3.4}},
        "",
        Facing::turned},
       {"camera",
@@ -256,7 +258,7 @@ const std::vector<DeviceCase>& device_cases() {
       {"fiducial",
        "fiducial",
        {{"f_x", 900}, {"sigma", 0.3}, {"size", 0.2}},
-       "resolution: [1280, 960], tag_rpy: [0, 180 deg, 0], tag_half_angle: 1.4",
+       "resolution: [1280, 960], tag_half_angle: 1.4",
        Facing::towards,
        "pose"},
   };
