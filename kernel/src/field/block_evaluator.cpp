@@ -21,7 +21,11 @@ BlockEvaluator::BlockEvaluator(const SteadySolver& solver, const System& system,
       request_(request_for(system, {&metric, 1})),
       equation_(solver.equation()),
       P_(static_cast<std::size_t>(packed_index(kMaxCoordinates, 0)) * kLanes) {
-  if (reads_linearisation(metric)) linearisation_.emplace(system);
+  if (reads_linearisation(metric)) {
+    linearisation_.emplace(system);
+    // Of the error before an update, whichever covariance the others are of.
+    request_.prior = request_.whole_state = true;
+  }
   if (!counts_bias(system) || need_ == MetricNeed::nothing) return;
   bias_.emplace(system);
   bias_->widen(request_);
