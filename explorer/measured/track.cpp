@@ -63,7 +63,7 @@ void add_differences(const System& system, const TargetPose& about,
     const ReadingModel model(system, pose, n);
     if (!model.predict(reading, StateVector::Zero(n), pose.R, predicted)) continue;
     if (predicted.z.size() != reading.z.size()) continue;
-    of.left.push_back(reading.z(0) - predicted.z(0));
+    of.left.push_back(model.difference(reading.device, reading.z, predicted.z)(0));
     of.variance += predicted.R(0, 0);
   }
 }

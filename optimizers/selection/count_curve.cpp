@@ -41,7 +41,7 @@ CountCurve count_curve(const Scene& scene, PluginRegistry& plugins,
                  options.seconds;
     };
     const ChoiceRules rules = rules_for(q.all, count);
-    branch.first = judge_blind_samples(*cost, rules, q.decisions);
+    branch.first = judge_blind_samples(*cost, rules, q.decisions, branch.stop);
     const BranchResult found = branch_and_bound(*cost, rules, q.decisions, branch);
     check_settled(*cost);
     check_judged(found.best);

@@ -54,7 +54,7 @@ Field selection_envelope(const Scene& scene, PluginRegistry& plugins,
     branch.seed = options.seed;
     branch.tries = 1;
     branch.stop = [&] { return options.cancel && *options.cancel; };
-    branch.first = judge_blind_samples(*cost, q.rules, q.decisions);
+    branch.first = judge_blind_samples(*cost, q.rules, q.decisions, branch.stop);
     const BranchResult found = branch_and_bound(*cost, q.rules, q.decisions, branch);
     check_settled(*cost);
     if (cost->blind_samples(found.best.chosen).empty())

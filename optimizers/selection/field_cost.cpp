@@ -163,7 +163,8 @@ void FieldCost::add_information(std::span<const double> w, std::size_t pose,
     const double weight = reader < 0 ? 1 : w[static_cast<std::size_t>(reader)];
     if (weight == 0) continue;
     const auto columns = static_cast<std::size_t>(known_.columns);
-    at.add_reading(Eigen::Map<const Eigen::RowVectorXd>(&known_.readings[e * columns],
+    at.add_reading(0,
+                   Eigen::Map<const Eigen::RowVectorXd>(&known_.readings[e * columns],
                                                         known_.columns),
                    weight * share);
   }

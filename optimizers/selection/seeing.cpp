@@ -9,11 +9,13 @@ namespace {
 
 class SeeingSearch {
  public:
-  SeeingSearch(FieldCost& cost, const ChoiceRules& rules)
-      : found(rules.size()), cost_(cost), rules_(rules) {}
+  SeeingSearch(FieldCost& cost, const ChoiceRules& rules,
+               const std::function<bool()>& stop)
+      : found(rules.size()), cost_(cost), rules_(rules), stop_(stop) {}
 
   /// @returns whether `found` is one
   bool look(const std::vector<Decision>& decided) {
+    if (stop_ && stop_()) return false;
     const ChoicePolytope polytope(rules_, decided);
     if (!polytope.feasible() || asked_ > kMost) return false;
     // The first way to the end is short.
@@ -48,6 +50,7 @@ class SeeingSearch {
 
   FieldCost& cost_;
   const ChoiceRules& rules_;
+  const std::function<bool()>& stop_;
   bool ended_ = false;     ///< where nothing was seen
   std::size_t asked_ = 0;  ///< samples of choices since then
 };
@@ -56,19 +59,21 @@ class SeeingSearch {
 
 std::optional<std::vector<char>> seeing_choice(FieldCost& cost,
                                                const ChoiceRules& rules,
-                                               const std::vector<Decision>& decisions) {
-  SeeingSearch search(cost, rules);
+                                               const std::vector<Decision>& decisions,
+                                               const std::function<bool()>& stop) {
+  SeeingSearch search(cost, rules, stop);
   if (!search.look(decisions)) return std::nullopt;
   return search.found;
 }
 
 std::vector<char> judge_blind_samples(FieldCost& cost, const ChoiceRules& rules,
-                                      const std::vector<Decision>& decisions) {
+                                      const std::vector<Decision>& decisions,
+                                      const std::function<bool()>& stop) {
   std::vector<char> available;
   for (const Decision decision : decisions)
     available.push_back(decision != Decision::out);
   cost.guess_the_always_blind(available);
-  if (auto seeing = seeing_choice(cost, rules, decisions)) return *seeing;
+  if (auto seeing = seeing_choice(cost, rules, decisions, stop)) return *seeing;
   cost.guess_the_blind();
   return {};
 }

@@ -92,7 +92,7 @@ SelectResult select(const Scene& scene, PluginRegistry& plugins,
     branch.progress = [&](const BranchProgress& at) {
       options.progress({quantity.of(at.best), quantity.of(at.bound), at.nodes});
     };
-  branch.first = judge_blind_samples(*cost, q.rules, q.decisions);
+  branch.first = judge_blind_samples(*cost, q.rules, q.decisions, branch.stop);
   std::optional<SelectionFile> file;
   std::optional<BranchState> state;
   if (!options.study.empty()) {

@@ -56,6 +56,8 @@ class Bearing final : public delos::PointDevice<Bearing, 1> {
       out.inside = min(out.inside, T(p.x * sine_ - abs(p.y) * cosine_));
   }
 
+  [[nodiscard]] double period(int) const override { return 2 * kPi; }
+
   /// About the x axis, or all around.
   [[nodiscard]] delos::ViewCone view_cone(int) const override {
     // The corner of the view is where field and elevation end together.

@@ -43,6 +43,11 @@ class Goniometer final : public delos::PointDevice<Goniometer, 2> {
         highest_{std::sin(p["highest"]), std::cos(p["highest"])},
         reach_(p["reach"]) {}
 
+  /// Of the azimuth; elevations have ends.
+  [[nodiscard]] double period(int row) const override {
+    return row == 0 ? 2 * std::numbers::pi : 0;
+  }
+
   template <class T>
   void read(const delos::Point<T>& p, delos::Reading<T, 2>& out) const {
     using std::abs, std::atan2, std::min, std::sqrt;

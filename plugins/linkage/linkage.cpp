@@ -65,6 +65,11 @@ class Linkage final : public delos::PointDevice<Linkage, 3> {
     return false;
   }
 
+  /// Of waist and shoulder, which turn all around.
+  [[nodiscard]] double period(int row) const override {
+    return row < 2 ? 2 * std::numbers::pi : 0;
+  }
+
   template <class T>
   void read(const delos::Point<T>& p, delos::Reading<T, 3>& out) const {
     using std::atan2, std::cos, std::max, std::min, std::sin, std::sqrt;

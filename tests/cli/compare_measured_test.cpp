@@ -68,6 +68,31 @@ TEST(CompareMeasured, RangesOfFourRadios) {
       << words.err;
 }
 
+/// Truth that is missing here and there, or everywhere, and a device without a reading.
+TEST(CompareMeasured, SaysWhatAFileLacks) {
+  const Folder folder;
+  const std::string file = (folder.path() / "readings.csv").string();
+  const auto compared = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    return run({"compare-measured", scene("38-uwb-labyrinth"), file});
+  };
+  std::string some = "t [s],device,z1,x,y,z\n", none = "t [s],device,z1\n";
+  for (int i = 0; i < 30; ++i) {
+    const std::string row = std::to_string(0.1 * i) + ",a10" + "578"[i % 3] + ",3";
+    none += row + "\n";
+    some += row + (i % 10 == 9 ? ",,,\n" : ",1,1,1\n");
+  }
+  const Finished gaps = compared(some);
+  ASSERT_EQ(gaps.code, 0) << gaps.err;
+  EXPECT_NE(gaps.err.find("3 readings without the target's place"), std::string::npos)
+      << gaps.err;
+  EXPECT_NE(gaps.err.find("a109 has no reading in the file"), std::string::npos)
+      << gaps.err;
+  const Finished blind = compared(none);
+  ASSERT_EQ(blind.code, 0) << blind.err;
+  EXPECT_NE(blind.out.find("no error is known"), std::string::npos) << blind.out;
+}
+
 TEST(CompareMeasured, RefusesWhatDoesntFit) {
   const Folder folder;
   const std::string file = (folder.path() / "readings.csv").string();

@@ -87,6 +87,35 @@ TEST(Simulate, WritesAPathWithItsTube) {
   EXPECT_NE(read_file(folder.path() / "walk.svg").find("</svg>"), std::string::npos);
 }
 
+/// Out of the laboratory for two seconds, and back.
+TEST(Simulate, SaysThatAPathLeavesTheVolumeAndThatFiltersCoast) {
+  const Folder folder;
+  const std::filesystem::path path = folder.path() / "out.csv";
+  std::ofstream(path) << "t,x,y,z\n0,0,0,1.5\n0.5,0,0,1.5\n1,0,30,1.5\n"
+                         "3,0,30,1.5\n3.5,0,0,1.5\n4,0,0,1.5\n";
+  const Finished done = run(
+      {"simulate", scene("05-optitrack-lab"), "--path", path.string(), "--runs", "4"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.err.find("2 of the path's 6 points lie outside the box"),
+            std::string::npos)
+      << done.err;
+  EXPECT_NE(done.out.find("coasted: 4 runs had no reading for longer than a cycle, "
+                          "at most 2."),
+            std::string::npos)
+      << done.out;
+  EXPECT_NE(done.out.find("instants without a finite P∞ are left out"),
+            std::string::npos)
+      << done.out;
+}
+
+TEST(Simulate, SaysThatRatesHaveNoCycle) {
+  const Finished done = run({"simulate", scene("03-hybrid"), "--fusion", "periodic",
+                             "--set", "devices.*.rate=31.4159265 Hz", "--set",
+                             "devices.s1.rate=27.1828 Hz", "--at", "0.2,0.2,0.5"});
+  EXPECT_EQ(done.code, 1);
+  EXPECT_NE(done.err.find("rates"), std::string::npos) << done.err;
+}
+
 TEST(Simulate, RefusesWhatIsWrongWithAPathLineByLine) {
   const Folder folder;
   const std::filesystem::path path = folder.path() / "walk.csv";

@@ -43,6 +43,17 @@ TEST(Linearisation, OfRangesIsTheClosedForm) {
   EXPECT_NEAR(value_at(system, kInVolume, "nonlinearity"), largest, 1e-6 * largest);
 }
 
+/// It is of the error before an update, also where the field's numbers are of that
+/// after it, and of a state that is solved whole or by scalar chains.
+TEST(Linearisation, IsOfTheErrorBeforeAnUpdate) {
+  System system = acoustic_system();
+  const double before = value_at(system, kInVolume, "nonlinearity"),
+               ratio = value_at(system, kInVolume, "unscented_ratio");
+  system.covariance = CovarianceKind::posterior;
+  EXPECT_NEAR(value_at(system, kInVolume, "nonlinearity"), before, 1e-9 * before);
+  EXPECT_NEAR(value_at(system, kInVolume, "unscented_ratio"), ratio, 1e-9);
+}
+
 /// Eq. 52, 53 of Allen (2007): v = 1.5 m/s, δt = 20 ms; a range of r and 30 mm across
 /// it. The table is computed from the printed equation.
 TEST(Linearisation, LeavesOutWhatEquation52Says) {

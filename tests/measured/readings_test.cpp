@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -128,6 +129,58 @@ TEST_F(RecordedReadings, OfTheScenesNoiseHaveTheExpectedNis) {
   EXPECT_GT(compared(system_, drawn(system_, 0, 2)).nis, 3);
   const ReadingsComparison twice = compared(system_, drawn(system_, 0, 2));
   EXPECT_NEAR(twice.devices[0].scatter / twice.devices[0].predicted, 2, 0.3);
+}
+
+/// Two bearings of a target that goes to and fro across −x of both of them, and a
+/// height.
+ReadingsComparison of_angles(bool come_back) {
+  System system;
+  system.motion = testing::chain_motion(PoseState::position, 2,
+                                        Eigen::Vector3d(0.1, 0.1, 0.1).asDiagonal());
+  system.markers = {Eigen::Vector3d::Zero()};
+  const auto bearing = std::make_shared<testing::TestBearing>(0.02, come_back);
+  const Eigen::Matrix3d upright =
+      Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const Eigen::Matrix3d along_y =
+      Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  system.devices = {
+      testing::place("level", bearing, {Eigen::Matrix3d::Identity(), {2, 0, 0}}, 50),
+      testing::place("across", bearing, {along_y, {0, 2, 0}}, 50),
+      testing::place("upright", bearing, {upright, {2, 0, 0}}, 50)};
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  Readings all;
+  for (int i = 0; i < 600; ++i) {
+    const Eigen::Vector3d p =
+        0.05 *
+        Eigen::Vector3d(std::sin(0.02 * i), std::cos(0.03 * i), std::sin(0.025 * i));
+    for (int d = 0; d < 3; ++d) {
+      const Pose& X_WS = system.devices[static_cast<std::size_t>(d)].X_WS();
+      const Eigen::Vector3d at = X_WS.R.transpose() * (p - X_WS.p);
+      TimedReading timed;
+      timed.t = 0.02 * i;
+      timed.reading = {d, 0, 0, {0, 6}, {}};
+      // As an instrument shows it, −π to π.
+      timed.reading.z.setConstant(
+          1, std::remainder(std::atan2(at.y(), at.x()) + 0.02 * normal(random),
+                            2 * EIGEN_PI));
+      all.all.push_back(timed);
+      all.truth.push_back(p);
+    }
+  }
+  return std::get<ReadingsComparison>(
+      compare_readings(system, {0, 0, 0}, Eigen::Vector3d::Zero(), all,
+                       *make_filter(FilterKind::extended), 2, false));
+}
+
+TEST_F(RecordedReadings, OfAnglesAreNeighboursAcrossTheirSeam) {
+  const ReadingsComparison of = of_angles(true);
+  for (const DeviceComparison& device : of.devices) {
+    EXPECT_NEAR(device.bias, 0, 4.5 * 0.02 / std::sqrt(600.)) << device.name;
+    EXPECT_NEAR(device.scatter, 0.02, 4.5 * 0.02 / std::sqrt(1200.)) << device.name;
+  }
+  EXPECT_NEAR(of.nis, 1, 0.15);
+  EXPECT_GT(of_angles(false).devices[0].scatter, 1);
 }
 
 TEST_F(RecordedReadings, CoastOverGapsAndSayHowLong) {

@@ -5,6 +5,8 @@
 
 #include "delos/optimize/choices.h"
 #include "optimizers/scenes.h"
+#include "selection/question.h"
+#include "selection/seeing.h"
 
 namespace delos::test {
 namespace {
@@ -46,6 +48,33 @@ selection: {count: 2, candidates: [{devices: [s1, s2, s3]}]}
     EXPECT_NEAR(result.lower_bound, least, 1e-6);
     EXPECT_EQ(result.blind, 0U);
   }
+}
+
+// The time that a search may take is over before anything is found: it is given up at
+// once, however many choices are left.
+TEST(BlindSamples, AreJudgedWithinTheTimeThatIsLeft) {
+  std::string text = kOneTarget + "devices:\n";
+  for (int i = 0; i < 8; ++i)
+    text += "  - {name: a" + std::to_string(i) +
+            ", type: uwb_range, rate: 50 Hz, at: [" + std::to_string(std::cos(i)) +
+            ", " + std::to_string(std::sin(i)) + ", " + std::to_string(0.3 * i) +
+            "]}\n";
+  text +=
+      "objective: {minimize: mean, of: trace}\n"
+      "selection: {count: 4, candidates: [{devices: \"*\"}]}\n";
+  const Question q = question_of(parse(text), plugins(), {});
+  const auto cost = cost_of(q, 1);
+  cost->guess_the_always_blind(std::vector<char>(8, 1));
+  int asked = 0;
+  const auto stop_after = [&](int most) {
+    return [&asked, most] { return ++asked > most; };
+  };
+  EXPECT_TRUE(seeing_choice(*cost, q.rules, q.decisions, stop_after(1000)));
+  EXPECT_GT(asked, 2);  // a step for each device of the choice
+  asked = 0;
+  EXPECT_FALSE(seeing_choice(*cost, q.rules, q.decisions, stop_after(2)));
+  EXPECT_LE(asked, 6);  // once more for each step on the way back
+  EXPECT_TRUE(judge_blind_samples(*cost, q.rules, q.decisions, stop_after(0)).empty());
 }
 
 /// Three random walks of unit steps, and what may be chosen of some sensors.

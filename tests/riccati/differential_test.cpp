@@ -167,7 +167,7 @@ TEST_P(Differential, ContinuousMeasurement) {
     const StateMatrix full = testing::embed(S, d * k);
     const double bound =
         1e-12 + 2 * d * kEps * testing::condition(L.transpose() * S * L);
-    const SteadyState state = solve_continuous(motion, full);
+    const SteadyState state = solve_continuous(motion, testing::informed(full));
     ASSERT_EQ(state.status, RiccatiStatus::converged);
     const StateMatrix spectral =
         spectral_covariance(spectral_form(L, S), k, {true, 0}, CovarianceKind::prior);

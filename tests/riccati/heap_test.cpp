@@ -68,7 +68,7 @@ TEST_F(Heap, IsNotTouchedByTheGeneralPathAtThirtyStates) {
   EXPECT_EQ(allocations([&] { lost = solve_doubling(with_bias, few); }), 0u);
   EXPECT_EQ(lost.unobservable.cols(), 1);
   EXPECT_EQ(allocations([&] { (void)solve_doubling(motion, exact); }), 0u);
-  EXPECT_EQ(allocations([&] { (void)solve_continuous(drift, all.information); }), 0u);
+  EXPECT_EQ(allocations([&] { (void)solve_continuous(drift, all); }), 0u);
   const StateMatrix Y = StateMatrix::Identity(n, n);
   const CycleStep cycle{motion, all};
   EXPECT_EQ(allocations([&] { (void)riccati_gradient(motion, all, s, Y, true); }), 0u);

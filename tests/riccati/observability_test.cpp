@@ -68,7 +68,8 @@ TEST_P(Lost, SolversAgree) {
     const SteadyState vectors = solve_eigenvector({&step, 1});
     EXPECT_EQ(vectors.status, RiccatiStatus::unobservable);
     EXPECT_LE((vectors.prior - P).norm(), 1e-8 * P.norm());
-    const SteadyState continuous = solve_continuous(continuous_form(model), full);
+    const SteadyState continuous =
+        solve_continuous(continuous_form(model), informed(full));
     EXPECT_EQ(continuous.status, RiccatiStatus::unobservable);
     EXPECT_EQ(continuous.unobservable.cols(), k * (d - r));
     EXPECT_LE((continuous.prior - Pc).norm(), allowed * Pc.norm());
@@ -120,8 +121,8 @@ TEST(Lost, RestIsTheSmallerContinuousSystem) {
     S.topLeftCorner(2, 2) = rate * draw.spd(2);
     const auto form = spectral_form(testing::cholesky(q), S);
     const auto expected = spectral_covariance(form, 3, {true, 0}, kPrior);
-    const auto whole =
-        solve_continuous(continuous_form(testing::chain_model(3, q)), embed(S, 9));
+    const auto whole = solve_continuous(continuous_form(testing::chain_model(3, q)),
+                                        informed(embed(S, 9)));
     ASSERT_EQ(whole.unobservable.cols(), 3);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
@@ -237,7 +238,7 @@ TEST(Lost, NothingSeenIsAllLost) {
   const StateMatrix none = StateMatrix::Zero(9, 9);
   const CycleStep step{discretize(model, 0.1), informed(none)};
   for (const SteadyState& s : {solve_doubling(step.motion, step.measurement),
-                               solve_continuous(continuous_form(model), none),
+                               solve_continuous(continuous_form(model), informed(none)),
                                solve_eigenvector({&step, 1})}) {
     EXPECT_EQ(s.status, RiccatiStatus::unobservable);
     EXPECT_EQ(s.unobservable.cols(), 9);

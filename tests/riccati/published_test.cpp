@@ -121,8 +121,7 @@ TEST_P(FusionTable, ArtemisSumsTheSymplecticMatrices) {
 TEST_P(FusionTable, ContinuousSumsTheRates) {
   const Fusion& f = GetParam();
   const double rate = 1e3 / (f.ticks_a * f.R_a) + 1e3 / (f.ticks_b * f.R_b);
-  const StateMatrix P =
-      solve_continuous(continuous_form(model_), position(rate).information).prior;
+  const StateMatrix P = solve_continuous(continuous_form(model_), position(rate)).prior;
   EXPECT_NEAR(millimetres(P), f.continuous, 0.5e-4);
   EXPECT_NEAR(1e3 * std::sqrt(0.3 * continuous_chain(2, 0.3 * rate).covariance(0, 0)),
               f.continuous, 0.5e-4);

@@ -1,4 +1,5 @@
 // Filters against a textbook's, and wrong ones that tests must notice.
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "simulation/simulated.h"
@@ -128,6 +129,33 @@ TEST(Filters, ThatAreTooModestAreNoticed) {
 TEST(Filters, ThatAreTooSureAreNoticed) {
   const Simulation s = by(TextbookFilter(Mistake::too_sure));
   EXPECT_GT(s.instants.back().nees.mean, s.instants.back().nees.upper);
+}
+
+/// Bearings of what stands at ±180° of three of them, one of which is below the others.
+System bearings(bool come_back) {
+  System system = moving(1, {axis(2, 1e-4, 50)});
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(4, 2, 0), Eigen::Vector3d(4, -2, 0)})
+    system.devices.push_back(
+        place("b", std::make_shared<TestBearing>(0.01, come_back),
+              {Eigen::AngleAxisd(std::atan2(p.y(), p.x()), Eigen::Vector3d::UnitZ())
+                   .toRotationMatrix(),
+               p},
+              50));
+  return system;
+}
+
+TEST(Filters, TakeAnglesAcrossTheirSeamForNeighbours) {
+  for (const FilterKind kind : {FilterKind::extended, FilterKind::iterated,
+                                FilterKind::sequential, FilterKind::unscented}) {
+    const SimulationOptions options{.runs = 400, .seed = 4, .filter = kind};
+    const Simulation s = simulate(bearings(true), kOrigin, options);
+    EXPECT_EQ(s.lost, 0u) << to_string(kind);
+    expect_predicted(s);
+    EXPECT_TRUE(s.instants.back().nis.inside()) << to_string(kind);
+    // What is left at the seam is 2π, where nobody says that they come back.
+    EXPECT_GT(simulate(bearings(false), kOrigin, options).lost, 100u);
+  }
 }
 
 /// A sensor of all that moves, on an arm of a target that moves and turns: Jacobians

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "delos/device/point_device.h"
 #include "delos/device/range_device.h"
 #include "delos/field/evaluate.h"
 #include "delos/rig/system.h"
@@ -36,6 +37,26 @@ class TestRange : public Device {
 class TestFullRange : public RangeDevice {
  public:
   explicit TestFullRange(double r, double reach = 1e9) : RangeDevice(0, r, reach) {}
+};
+
+/// z = atan2(y, x), read all around: where it is seen from −x, π and −π are neighbours.
+class TestBearing final : public PointDevice<TestBearing, 1> {
+ public:
+  /// @param comes_back whether it says so
+  explicit TestBearing(double sigma, bool comes_back = true)
+      : variance_(sigma * sigma), comes_back_(comes_back) {}
+  double period(int) const override { return comes_back_ ? 2 * EIGEN_PI : 0; }
+  template <class T>
+  void read(const Point<T>& p, Reading<T, 1>& out) const {
+    using std::atan2;
+    out.z[0] = atan2(p.y, p.x);
+    out.variance[0] = T(variance_);
+    out.inside = T(1);
+  }
+
+ private:
+  double variance_;
+  bool comes_back_;
 };
 
 /// A given H and R over any span, the same everywhere.

@@ -10,7 +10,7 @@
 namespace delos {
 
 /// Raised by one whenever a type in this contract changes shape or meaning.
-inline constexpr std::uint32_t kAbiEpoch = 9;
+inline constexpr std::uint32_t kAbiEpoch = 10;
 
 /// What two binaries must agree on before a C++ object may pass between them.
 /// Fixed-width fields only; new ones go at the end; the first two never move.

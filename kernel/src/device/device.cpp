@@ -6,6 +6,8 @@ namespace delos {
 // the kernel's library, whatever plugins are open.
 Device::~Device() = default;
 
+double Device::period(int) const { return 0; }
+
 Eigen::Vector3d Device::shared_variance() const { return Eigen::Vector3d::Zero(); }
 
 bool Device::observe_lanes(const PointLanes&, RowLanes&) const { return false; }

@@ -28,10 +28,13 @@ class BlockEvaluator {
                  const Metric& metric);
 
   /// @param poses, values block.lanes each
-  void operator()(const LayerBlock& block, const TargetPose* poses, PoseValue* values);
+  /// @param normals of the surfaces that the poses are on, see facts_of(); null: none
+  void operator()(const LayerBlock& block, const TargetPose* poses, PoseValue* values,
+                  const Eigen::Vector3d* normals = nullptr);
 
  private:
-  PoseValue solved_value(const LayerBlock& block, int lane, const TargetPose& pose);
+  PoseValue solved_value(const LayerBlock& block, int lane, const TargetPose& pose,
+                         const Eigen::Vector3d& normal);
 
   const SteadySolver& solver_;
   const System& system_;

@@ -12,6 +12,7 @@
 #include "delos/model/infinity.h"
 #include "delos/model/metric_expression.h"
 #include "field/place_evaluator.h"
+#include "field/surface_normals.h"
 #include "parallel/first_failure.h"
 #include "rig/sight.h"
 
@@ -127,6 +128,12 @@ Field evaluate_chunks(const System& system, Samples given,
   Field field = blind_field(system, std::move(given), metric);
   const Samples& samples = field.samples;
   const std::size_t points = samples.points.size(), chunks = chunks_of(samples);
+  // Of whole chunks, as poses are.
+  std::vector<Eigen::Vector3d> normals;
+  if (reads(metric, MetricKind::footprint)) {
+    normals = surface_normals(samples);
+    normals.resize(chunks * kLanes, normals.back());
+  }
   std::vector<unsigned char> done(chunks, 0);
   std::atomic<std::size_t> chunks_done = 0;
   FirstFailure failure;
@@ -145,7 +152,8 @@ Field evaluate_chunks(const System& system, Samples given,
         evaluate(
             kLanes,
             [&](std::size_t turn) -> const LayerBlock& { return layers.block(turn); },
-            [&](std::size_t turn) { return layers.poses(turn); }, values);
+            [&](std::size_t turn) { return layers.poses(turn); }, values,
+            normals.empty() ? nullptr : &normals[c * kLanes]);
         const std::size_t first = c * kLanes;
         for (std::size_t p = first; p < std::min(first + kLanes, points); ++p) {
           field.value[p] = values[p - first].value;

@@ -37,19 +37,20 @@ class PlaceEvaluator {
   /// @param layers(turn) the places' layers at one orientation, by reference
   /// @param poses(turn) the places' poses, in the same order
   /// @param[out] values one a place
+  /// @param normals one a place, see facts_of(); null: none
   template <class Layers, class Poses>
-  void operator()(std::size_t places, Layers&& layers, Poses&& poses,
-                  PoseValue* values) {
+  void operator()(std::size_t places, Layers&& layers, Poses&& poses, PoseValue* values,
+                  const Eigen::Vector3d* normals = nullptr) {
     if (rule_ == OrientationRule::information) {
       clear_block(shape_, static_cast<int>(places), mean_);
       for (std::size_t t = 0; t < turns_; ++t) add_to_mean(layers(t));
       sum_layers(shape_, mean_);
-      evaluate_(mean_, poses(0), values);
+      evaluate_(mean_, poses(0), values, normals);
       return;
     }
     for (std::size_t t = 0; t < turns_; ++t) {
       const LayerBlock& block = layers(t);
-      evaluate_(block, poses(t), of_turn_);
+      evaluate_(block, poses(t), of_turn_, normals);
       for (std::size_t l = 0; l < places; ++l) all_[l * turns_ + t] = of_turn_[l];
     }
     for (std::size_t l = 0; l < places; ++l) {

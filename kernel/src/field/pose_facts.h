@@ -8,8 +8,11 @@
 namespace delos {
 
 /// @param with_footprint whether a metric reads it: devices are asked for it
-[[nodiscard]] PoseFacts facts_of(const System& system, const LayerBlock& block,
-                                 int lane, const TargetPose& pose, bool with_footprint);
+/// @param normal of the surface that the pose is on, a unit vector in W: what a pixel
+///        covers is a length along it then; zero: it is one across the sight line
+[[nodiscard]] PoseFacts facts_of(
+    const System& system, const LayerBlock& block, int lane, const TargetPose& pose,
+    bool with_footprint, const Eigen::Vector3d& normal = Eigen::Vector3d::Zero());
 
 /// Whether a metric reads PoseFacts::nonlinearity or unscented_ratio.
 [[nodiscard]] bool reads_linearisation(const Metric& metric);

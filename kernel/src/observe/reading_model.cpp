@@ -1,6 +1,7 @@
 #include "delos/observe/reading_model.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "observe/answers.h"
 #include "observe/lever.h"
@@ -214,6 +215,17 @@ bool ReadingModel::predict(const TrackReading& reading, const StateVector& x,
   check_answer(placed, out.answer, 3);
   pull(-X_WS.R, beacon.p - X_WT.p);
   return finish();
+}
+
+decltype(Observation::z) ReadingModel::difference(
+    int device, const decltype(Observation::z)& a,
+    const decltype(Observation::z)& b) const {
+  const Device& of = *system_.devices[static_cast<std::size_t>(device)].device;
+  decltype(Observation::z) left = a - b;
+  for (Eigen::Index r = 0; r < left.size(); ++r)
+    if (const double period = of.period(static_cast<int>(r)); period > 0)
+      left(r) = std::remainder(left(r), period);
+  return left;
 }
 
 }  // namespace delos

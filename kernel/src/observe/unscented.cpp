@@ -27,7 +27,7 @@ bool unscented_moments(const ReadingModel& model, const TrackReading& reading,
         k < n ? StateVector(root.col(k)) : StateVector(-root.col(k - n));
     move_state(layout, change, moved, turned);
     if (!model.predict(reading, moved, turned, at)) return false;
-    z.col(k) = at.z - middle.z;
+    z.col(k) = model.difference(reading.device, at.z, middle.z);
   }
   const double weight = 1 / (2 * spread);
   out.mean = weight * z.rowwise().sum();

@@ -56,9 +56,13 @@ double closed_loop_radius_by_gain(std::span<const CycleStep> cycle,
 }
 
 double continuous_closed_loop_rate(const MotionStep& continuous,
-                                   const StateMatrix& information_rate,
-                                   const StateMatrix& P) {
-  return eigenvalues(continuous.A - P * information_rate).real().maxCoeff();
+                                   const Measurement& rate, const StateMatrix& P) {
+  StateMatrix loop = continuous.A - P * rate.information;
+  for (Eigen::Index i = 0; i < rate.rows.rows(); ++i) {
+    const StateVector h = rate.rows.row(i).transpose(), Ph = P * h;
+    loop -= Ph * h.transpose();
+  }
+  return eigenvalues(loop).real().maxCoeff();
 }
 
 }  // namespace delos

@@ -134,10 +134,14 @@ void covariances(const CoordinateMatrix& L, const Sampling& sampling,
   form(L, S, at);
   diagonalize(at);
 
-  double largest[kLanes] = {};
+  double largest[kLanes] = {}, least[kLanes];
+  std::fill_n(least, kLanes, std::numeric_limits<double>::infinity());
   for (int a = 0; a < kSize; ++a) {
     const double* lambda = at.m(a, a);
-    for (int l = 0; l < kLanes; ++l) largest[l] = std::max(largest[l], lambda[l]);
+    for (int l = 0; l < kLanes; ++l) {
+      largest[l] = std::max(largest[l], lambda[l]);
+      least[l] = std::min(least[l], lambda[l]);
+    }
   }
   std::fill_n(lost, kLanes, 0);
   std::fill_n(P, kSize * (kSize + 1) / 2 * kLanes, 0.0);
@@ -165,6 +169,10 @@ void covariances(const CoordinateMatrix& L, const Sampling& sampling,
         for (int l = 0; l < kLanes; ++l) out[l] += f[l] * vi[l] * vj[l];
       }
     }
+  }
+  for (int l = 0; l < kLanes; ++l) {
+    const bool few = least[l] < SpectralForm::kFewDigits * largest[l];
+    if (few & (lost[l] == 0)) lost[l] = -1;
   }
 }
 

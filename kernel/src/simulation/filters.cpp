@@ -86,7 +86,8 @@ class ExtendedFilter final : public TrackFilter {
           ++sum.dropped;
           continue;
         }
-        decltype(PredictedReading::z) left = reading.z - predicted.z;
+        decltype(PredictedReading::z) left =
+            model.difference(reading.device, reading.z, predicted.z);
         if (i > 0) left.noalias() += predicted.H * about;
         take_reading(predicted, left, delta, P, sum);
       }
@@ -127,7 +128,8 @@ class SequentialFilter final : public TrackFilter {
                               const PredictedReading& predicted,
                               TrackEstimate& estimate, Innovation& sum) {
     StateVector delta = StateVector::Zero(estimate.x.size());
-    const decltype(PredictedReading::z) left = reading.z - predicted.z;
+    const decltype(PredictedReading::z) left =
+        model.difference(reading.device, reading.z, predicted.z);
     take_reading(predicted, left, delta, estimate.P, sum);
     move_state(model.system().motion.layout, delta, estimate.x, estimate.R);
   }
@@ -161,7 +163,8 @@ class UnscentedFilter final : public TrackFilter {
     of.S += middle.R;
     const Eigen::LDLT<decltype(PredictedReading::R)> split(of.S);
     if (!(split.vectorD().minCoeff() > 0)) return false;  // rows without noise
-    const decltype(PredictedReading::z) nu = reading.z - middle.z - of.mean;
+    const decltype(PredictedReading::z) nu =
+        model.difference(reading.device, reading.z, middle.z) - of.mean;
     const decltype(PredictedReading::z) scaled = split.solve(nu);
     sum.nis += nu.dot(scaled);
     sum.rows += static_cast<int>(nu.size());

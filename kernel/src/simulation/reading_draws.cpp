@@ -87,6 +87,9 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
         reading.z +=
             std::sqrt(split.variance(r)) * noise.normal() * split.directions.col(r);
     }
+    // An angle is read as one.
+    const decltype(reading.z) nothing = decltype(reading.z)::Zero(reading.z.size());
+    reading.z = model.difference(device, reading.z, nothing);
     each_row(seen, seen.z, [&](const auto& h, double, double variance) {
       if (variance == 0)
         perfect = true;

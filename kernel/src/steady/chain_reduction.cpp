@@ -1,6 +1,8 @@
 #include "steady/chain_reduction.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
+#include <vector>
 
 #include "delos/model/infinity.h"
 #include "riccati/linear.h"
@@ -20,6 +22,24 @@ ChainReduction::ChainReduction(const System& system)
       sampling{system.fusion == Fusion::continuous, system.devices.front().period,
                system.devices.front().exposure, system.exposures, system.lag},
       kind(system.covariance) {}
+
+SpectralForm ChainReduction::form_of(const SteadyEquation& at) const {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto [first, d] = at.block;
+  const Measurement& m = at.steps.front().measurement;
+  SpectralForm form = spectral_form(L, m.information.block(first, first, d, d));
+  if (!form.lacks_digits() || at.readings.empty()) return form;
+  const std::vector<double>& all = at.readings.front();
+  const Eigen::Index n = m.information.rows(),
+                     count = static_cast<Eigen::Index>(all.size()) / n,
+                     guesses = at.besides > 0 ? d : 0;
+  if (count + guesses < d) return form;  // lost, whatever the digits
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count + guesses, d);
+  rows.topRows(count) =
+      Eigen::Map<const Rows>(all.data(), count, n).middleCols(first, d);
+  rows.bottomRows(guesses).diagonal().setConstant(std::sqrt(at.besides));
+  return spectral_form_of_rows(L, rows);
+}
 
 void ChainReduction::solve(const SpectralForm& form, const SteadyRequest& request,
                            FusedState& out) const {

@@ -16,6 +16,9 @@ struct ChainReduction {
   /// @pre is_reducible()
   explicit ChainReduction(const System& system);
 
+  /// Of the sum of all information, or of the single readings where that has lost its
+  /// digits and they are known.
+  [[nodiscard]] SpectralForm form_of(const SteadyEquation& at) const;
   void solve(const SpectralForm& form, const SteadyRequest& request,
              FusedState& out) const;
   /// spectral_gradient() of the system's kind of covariance.

@@ -45,12 +45,21 @@ void ContinuousSolver::find(SteadyEquation& at, const SteadyRequest& request,
   out.of = CovarianceOf::all_times;
   const auto& [motion, measurement] = at.steps.front();
   if (measurement.exact.rows() > 0) return solve_pinned(at, request, out);
-  at.states.front() = solve_continuous(motion, measurement.information);
-  set_state(at.states.front(), out);
-  if (request.time_constant)
-    out.time_constant =
-        -1 / std::min(-0.0, continuous_closed_loop_rate(motion, measurement.information,
-                                                        out.prior));
+  SteadyState& state = at.states.front();
+  state = solve_continuous(motion, measurement);
+  const auto slowest = [&] {
+    return -1 / std::min(-0.0,
+                         continuous_closed_loop_rate(motion, measurement, state.prior));
+  };
+  // A rounding of S works on for as long as the filter remembers.
+  const bool lack =
+      state.status != RiccatiStatus::converged ||
+      !(weight_of_information(measurement.information, state.prior) * slowest() <
+        kMostWeight);
+  if (lack && at.take_readings({at.block.first, system_.motion.layout.coordinates()}))
+    state = solve_continuous(motion, measurement);
+  set_state(state, out);
+  if (request.time_constant) out.time_constant = slowest();
 }
 
 // Rows E that are measured continuously and without noise pin their directions and all

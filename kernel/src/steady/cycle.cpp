@@ -23,6 +23,8 @@ CycleSolver::CycleSolver(const System& system, Solver solver)
 void CycleSolver::find(SteadyEquation& at, const SteadyRequest& request,
                        FusedState& out) const {
   solve_cycle(at.steps, at.states);
+  if (may_lack_digits(at) && at.take_readings({0, system_.motion.layout.coordinates()}))
+    solve_cycle(at.steps, at.states);
   out.status = RiccatiStatus::converged;
   for (const SteadyState& state : at.states)
     if (state.status != RiccatiStatus::converged) out.status = state.status;

@@ -23,7 +23,7 @@ SteadyRequest request_for(const System& system, std::span<const Metric> metrics)
 }
 
 void SteadyEquation::clear() {
-  readings.clear();
+  for (std::vector<double>& rows : readings) rows.clear();
   for (CycleStep& step : steps) {
     Measurement& m = step.measurement;
     m.information.setZero();
@@ -41,15 +41,33 @@ void SteadyEquation::add(std::size_t step, const StateBlock& read, const double*
           S[packed_index(i, j) * stride];
 }
 
-void SteadyEquation::add_reading(const StateBlock& read,
+void SteadyEquation::add_reading(std::size_t step, const StateBlock& read,
                                  const Eigen::Ref<const Eigen::RowVectorXd>& row,
                                  double information) {
-  const auto n = static_cast<std::size_t>(steps.front().motion.A.rows());
-  const std::size_t begin = readings.size();
-  readings.resize(begin + n, 0);
+  readings.resize(steps.size());
+  std::vector<double>& rows = readings[step];
+  const auto n = static_cast<std::size_t>(steps[step].motion.A.rows());
+  const std::size_t begin = rows.size();
+  rows.resize(begin + n, 0);
   const double root = std::sqrt(information);
   for (int i = 0; i < read.size; ++i)
-    readings[begin + static_cast<std::size_t>(read.first + i)] = root * row(i);
+    rows[begin + static_cast<std::size_t>(read.first + i)] = root * row(i);
+}
+
+bool SteadyEquation::take_readings(const StateBlock& pose) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  bool any = false;
+  for (std::size_t s = 0; s < readings.size(); ++s) {
+    Measurement& m = steps[s].measurement;
+    const Eigen::Index n = m.information.rows();
+    const std::vector<double>& rows = readings[s];
+    any |= !rows.empty();
+    m.information.setZero();
+    m.information.diagonal().segment(pose.first, pose.size).setConstant(besides);
+    m.rows = Eigen::Map<const Rows>(rows.data(),
+                                    static_cast<Eigen::Index>(rows.size()) / n, n);
+  }
+  return any;
 }
 
 void SteadyEquation::add_perfect(std::size_t step, const StateBlock& read,

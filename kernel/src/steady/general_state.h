@@ -22,6 +22,28 @@ inline void restrict_to(Eigen::Index n, SteadyState& state) {
   state.unobservable = lost;
 }
 
+/// What is left of the digits of P∞ to a rounding of S: an entry S_ij is rounded by
+/// ε √(S_ii S_jj), which P weighs. At 1e5 some 1e-11 of P are lost.
+inline constexpr double kMostWeight = 1e5;
+
+/// max S_ii P_ii
+inline double weight_of_information(const StateMatrix& S, const StateMatrix& P) {
+  return (S.diagonal().array() * P.diagonal().array()).maxCoeff();
+}
+
+/// Whether a solution by sums of information may have lost digits that single readings
+/// have.
+inline bool may_lack_digits(const SteadyEquation& at) {
+  for (std::size_t s = 0; s < at.steps.size(); ++s) {
+    const SteadyState& state = at.states[s];
+    if (state.status != RiccatiStatus::converged ||
+        !(weight_of_information(at.steps[s].measurement.information, state.prior) <
+          kMostWeight))
+      return true;
+  }
+  return false;
+}
+
 /// One instant's state as that of the system.
 inline void set_state(const SteadyState& state, FusedState& out) {
   out.status = state.status;

@@ -6,19 +6,6 @@
 #include "steady/single.h"
 
 namespace delos {
-namespace {
-
-/// Whether a solution by the sum of all information may have lost digits that single
-/// readings have: an entry S_ij is rounded by ε √(S_ii S_jj), which P weighs.
-bool may_lack_digits(const Measurement& measurement, const SteadyState& state) {
-  constexpr double kMany = 1e5;  // some 1e-11 of P is lost
-  if (state.status != RiccatiStatus::converged) return true;
-  return !((measurement.information.diagonal().array() * state.prior.diagonal().array())
-               .maxCoeff() < kMany);
-}
-
-}  // namespace
-
 StackedSolver::StackedSolver(const System& system, Solver solver)
     : SmoothSteadySolver(system, solver) {
   const UpdateSlot all{system.devices.front().period,
@@ -38,18 +25,9 @@ void StackedSolver::find(SteadyEquation& at, const SteadyRequest& request,
   const bool papers = solver() == Solver::eigenvector && measurement.exact.rows() == 0;
   at.states.front() =
       papers ? solve_eigenvector(at.steps) : solve_doubling(motion, measurement);
-  if (!at.readings.empty() && may_lack_digits(measurement, at.states.front())) {
-    measurement.information.setZero();
-    measurement.information.diagonal()
-        .segment(at.block.first, system_.motion.layout.coordinates())
-        .setConstant(at.besides);
-    const Eigen::Index columns = motion.A.rows();
-    measurement.rows = Eigen::Map<
-        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        at.readings.data(), static_cast<Eigen::Index>(at.readings.size()) / columns,
-        columns);
+  if (may_lack_digits(at) &&
+      at.take_readings({at.block.first, system_.motion.layout.coordinates()}))
     at.states.front() = solve_doubling(motion, measurement);
-  }
   const Eigen::Index n = system_.motion.layout.size();
   SteadyState state = at.states.front();
   restrict_to(n, state);

@@ -159,7 +159,8 @@ void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pos
         at.add(report.step, report.read, block.layers.data() + i * layer + lane,
                kLanes);
   }
-  const bool careful = reads_rows();
+  const bool careful =
+      reads_rows() || (reduction_ && reduction_->form_of(at).lacks_digits());
   if (careful) at.besides = system_.prior;
   if (!careful && !has_perfect_rows(block, lane)) return;
 
@@ -170,7 +171,11 @@ void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pos
     if (!((careful ? block.seen[i] : block.perfect[i]) >> lane & 1)) continue;
     const auto keep = [&](const StateRow& row) {
       if (!row.perfect()) {
-        if (careful) at.add_reading(reports_[i].front().read, row.h, row.weight());
+        if (!careful) return;
+        const double weight =
+            row.weight() * information_weight(system_, system_.devices[i]);
+        for (const Report& report : reports_[i])
+          at.add_reading(report.step, report.read, row.h, weight);
         return;
       }
       for (const Report& report : reports_[i])
@@ -180,17 +185,14 @@ void SteadySolver::read(const LayerBlock& block, int lane, const TargetPose& pos
   }
 }
 
-bool SteadySolver::reads_rows() const {
-  return system_.fusion == Fusion::stacked && solver_ == Solver::doubling;
-}
+bool SteadySolver::reads_rows() const { return solver_ == Solver::doubling; }
 
 bool SteadySolver::reduce(SteadyEquation& at, const SteadyRequest& request,
                           FusedState& out) const {
   at.form.reset();
   const Measurement& m = at.steps.front().measurement;
   if (!reduction_ || m.exact.rows() > 0) return false;
-  const auto [first, size] = at.block;
-  at.form = spectral_form(reduction_->L, m.information.block(first, first, size, size));
+  at.form = reduction_->form_of(at);
   reduction_->solve(*at.form, request, out);
   return true;
 }

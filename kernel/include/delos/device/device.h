@@ -150,6 +150,13 @@ class DELOS_API Device {
   /// @returns false when it is out of reach or view; `out` is then unspecified.
   [[nodiscard]] virtual bool observe(const Target& target, Observation& out) const = 0;
 
+  /// After how much a row of z comes back to itself: 2π of an angle that is read all
+  /// around, so that readings near π and −π are neighbours. What is left of such a
+  /// reading is the least that leads there.
+  /// @param row of observe()
+  /// @returns 0, as here, where it doesn't
+  [[nodiscard]] virtual double period(int row) const;
+
   /// The part of each row's variance that all points seen in one update have in common,
   /// as the jitter of a rotor that sweeps over them: of row r, two points' readings
   /// have this covariance. observe()'s R, of one point, holds it, and is diagonal then.

@@ -57,6 +57,13 @@ class DELOS_API ReadingModel {
   [[nodiscard]] TargetPose pose_of(const StateBlock& block, const StateVector& x,
                                    const Eigen::Matrix3d& R) const;
 
+  /// What a reading differs by from another of its device, a − b: of rows that come
+  /// back to themselves the least that leads there.
+  /// @param a, b m×1, measurement units
+  [[nodiscard]] decltype(Observation::z) difference(
+      int device, const decltype(Observation::z)& a,
+      const decltype(Observation::z)& b) const;
+
   [[nodiscard]] const System& system() const { return system_; }
   [[nodiscard]] int states() const { return states_; }
 

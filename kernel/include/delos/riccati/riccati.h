@@ -72,8 +72,9 @@ DELOS_API void solve_cycle(std::span<const CycleStep> cycle,
 
 /// Steady state under continuous measurement: F P + P Fᵀ + Q − P S P = 0, with F and Q
 /// of continuous_form() and S the information rate. Prior and posterior are the same.
-[[nodiscard]] DELOS_API SteadyState
-solve_continuous(const MotionStep& continuous, const StateMatrix& information_rate);
+/// @param rate information and rows of a rate, 1/s; none is exact
+[[nodiscard]] DELOS_API SteadyState solve_continuous(const MotionStep& continuous,
+                                                     const Measurement& rate);
 
 /// The papers' own solution, the reference that the others are compared with:
 /// eigenvectors of the 2n×2n symplectic matrix Ψ with the largest |eigenvalue|, P∞ = B
@@ -105,9 +106,9 @@ solve_continuous(const MotionStep& continuous, const StateMatrix& information_ra
 
 /// Largest real part of the poles of dx/dt = (F − P S) x, 1/s; below 0 where it
 /// forgets.
-[[nodiscard]] DELOS_API double continuous_closed_loop_rate(
-    const MotionStep& continuous, const StateMatrix& information_rate,
-    const StateMatrix& P);
+[[nodiscard]] DELOS_API double continuous_closed_loop_rate(const MotionStep& continuous,
+                                                           const Measurement& rate,
+                                                           const StateMatrix& P);
 
 /// ∂J/∂S of the general solution, for an objective with ∂J/∂P∞ = Y (prior) or ∂J/∂Π∞ =
 /// Y (posterior): one Stein equation X = Fᵀ X F + Y with F = A − K H.

@@ -23,6 +23,12 @@ struct SpectralForm {
   CoordinateVector lambda;  ///< Λ, d×1, ascending; 0 where a direction is lost
   CoordinateMatrix LU;      ///< L·U, d×d: the directions in pose coordinates
   int unobservable = 0;     ///< number of leading zero eigenvalues
+
+  /// Whether the least eigenvalue, of a formed S, has lost eight digits or more.
+  [[nodiscard]] bool lacks_digits() const {
+    return lambda(0) < kFewDigits * lambda(lambda.size() - 1);
+  }
+  static constexpr double kFewDigits = 1e-8;
 };
 
 /// Reduce the information of one update (or its rate) to d scalar chains.
@@ -61,7 +67,10 @@ struct SpectralForm {
 /// to rounding the same. Each pose's numbers depend on its own alone.
 /// @param S information, packed as model/lanes.h says
 /// @param[out] P likewise; unspecified where directions are lost
-/// @param[out] lost kLanes numbers: how many directions of the pose are unobservable
+/// @param[out] lost kLanes numbers: how many directions of the pose are unobservable;
+/// −1:
+///             none, but one is known so much worse than another that a formed S has
+///             lost its digits, which spectral_form_of_rows() keeps
 DELOS_API void spectral_pose_covariances(const CoordinateMatrix& L, int order,
                                          const Sampling& sampling, CovarianceKind kind,
                                          const double* S, double* P, int* lost);

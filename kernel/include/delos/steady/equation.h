@@ -35,10 +35,10 @@ struct DELOS_API SteadyEquation {
   StateBlock block;                  ///< that devices read, where all read the same
   std::vector<SteadyState> states;   ///< of each step, where solved so
   std::optional<SpectralForm> form;  ///< where reduced to scalar chains
-  /// Of the only step's information, the readings that it is of: rows of R^(−1/2) H, n
-  /// numbers each, one after another; and what it has besides, for each coordinate of
+  /// Of each step's information, the readings that it is of: rows of R^(−1/2) H, n
+  /// numbers each, one after another; and what all have besides, for each coordinate of
   /// the pose. Empty: not known.
-  std::vector<double> readings = {};
+  std::vector<std::vector<double>> readings = {};
   double besides = 0;
 
   /// Nothing is measured any more.
@@ -53,14 +53,18 @@ struct DELOS_API SteadyEquation {
   void add_perfect(std::size_t step, const StateVector& row) {
     add_perfect(step, block, row);
   }
-  /// The only step's information has a reading with so much information.
+  /// A step's information has a reading with so much information.
   /// @param row c numbers
-  void add_reading(const StateBlock& read,
+  void add_reading(std::size_t step, const StateBlock& read,
                    const Eigen::Ref<const Eigen::RowVectorXd>& row, double information);
-  void add_reading(const Eigen::Ref<const Eigen::RowVectorXd>& row,
+  void add_reading(std::size_t step, const Eigen::Ref<const Eigen::RowVectorXd>& row,
                    double information) {
-    add_reading(block, row, information);
+    add_reading(step, block, row, information);
   }
+  /// Have each step measure its readings one by one instead of their sum. Allocates.
+  /// @param pose the states that `besides` is about
+  /// @returns false where no readings are known
+  bool take_readings(const StateBlock& pose);
 };
 
 }  // namespace delos
