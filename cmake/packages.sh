@@ -10,7 +10,7 @@ packages_to_build=(
 packages_to_check=(
   libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev libglpk-dev
   chromium
-  pybind11-dev python3-dev python3-numpy python3-pytest dpkg-dev
+  pybind11-dev python3-dev python3-numpy python3-pytest dpkg-dev file
   libopenmpi-dev openmpi-bin
 )
 # What tests the explorer's page; any Node.js from 18 on will do. Users need none.
