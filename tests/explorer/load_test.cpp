@@ -48,8 +48,12 @@ TEST(Load, TwentyTabsAtOnce) {
 
 /// After the first thousand, when all that can be undone is there, no more is kept.
 TEST(Load, TenThousandEditsKeepTheirMemory) {
-  Explorer explorer;
-  const std::string session = explorer.open("01-acoustic")["session"];
+  const Folder folder;
+  const auto file =
+      folder.write("small.yaml", "delos: 1\nextends: " + scene("01-acoustic") +
+                                     "\nsample: {points: [[0.2, 0.2, 0.4]]}\n");
+  Explorer explorer({file.string()});
+  const std::string session = explorer.open("small.yaml")["session"];
   std::size_t after_first = 0;
   for (int i = 0; i < 10'000; ++i) {
     const Answer answer =

@@ -188,16 +188,16 @@ export class App {
     if (shown.selected && !names.has(shown.selected)) shown.selected = null;
     this.awaited = null;
     shown.description = description;
-    this.described();
+    this.described(false); // its field follows, and is drawn with it
   }
 
-  private described(): void {
+  private described(draw = true): void {
     const { shown, picture } = this;
     if (!shown.description) return;
     this.layout.describe(shown.description, shown.selected);
     picture.drawDevices(shown, this.colours);
     this.layout.gizmoMode(picture.gizmo.mode, picture.hasIcon(shown.selected));
-    picture.stage.draw();
+    if (draw) picture.stage.draw();
   }
 
   private render(): void {

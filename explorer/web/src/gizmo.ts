@@ -73,7 +73,6 @@ export class Gizmo {
   hold(object: Object3D | null): void {
     if (object) this.controls.attach(object);
     else this.controls.detach();
-    this.stage.draw();
   }
 
   /** Along which axes: the world's, or, turning, the device's own. */

@@ -3,7 +3,7 @@ import { Group, type Raycaster } from 'three';
 import { Gizmo, type Place } from './gizmo';
 import type { Field, GridPart } from './field';
 import { Scale } from './scale';
-import type { Around, BlindRegions, Description, Device, Lattice, PointReport, Vec3 } from './server';
+import type { Around, BlindRegions, Box, Description, Device, Lattice, PointReport, Vec3 } from './server';
 import type { Drawing } from './theme';
 import { blindBoxes } from './view/blindboxes';
 import { latticeObject } from './view/ellipsoid';
@@ -133,7 +133,7 @@ export class Picture {
     const besides = this.besides(shown);
     const range = rangeOf(drawn, ...(besides ? [shown.pinned!.field] : []));
     const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
-    const options = this.optionsOf(drawn, scale);
+    const options = this.optionsOf(drawn, scale, shown.description!.box);
     this.fieldView.show(drawn, { ...options, sections: difference ? null : shown.sections }, scale, colours.edge);
     if (besides) this.baselineView.show(shown.pinned!.field, options, scale, colours.edge);
     this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
@@ -143,7 +143,7 @@ export class Picture {
     return { drawn, scale, marks: marks.filter(Number.isFinite) };
   }
 
-  private optionsOf(field: Field, scale: Scale | null): FieldOptions {
+  private optionsOf(field: Field, scale: Scale | null, box: Box): FieldOptions {
     const { viewing } = this;
     const grid = field.parts.some((part): part is GridPart => part.kind === 'grid');
     const [low, high] = viewing.between;
@@ -153,6 +153,7 @@ export class Picture {
       level: viewing.surface && grid && scale ? scale.at(viewing.level) : null,
       volume: !grid || !scale || viewing.body === 'none' ? null : viewing.body === 'volume' ? 'cloud' : ends(scale),
       sections: null,
+      box,
     };
   }
 

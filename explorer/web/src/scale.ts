@@ -58,6 +58,11 @@ export class Scale {
     return `rgb(${this.colour(value).map((c) => Math.round(255 * c)).join(' ')})`;
   }
 
+  /** Values whose powers of ten are round. */
+  powers(): number[] {
+    return roundBetween(Math.log10(this.min), Math.log10(this.max)).map((x) => 10 ** x);
+  }
+
   /** Round values to label. @param factor display units per SI unit */
   ticks(factor: number): number[] {
     const low = this.min * factor;
@@ -68,11 +73,19 @@ export class Scale {
       for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); ++e)
         for (const m of high / low > 1e3 ? [1] : [1, 2, 5]) rounded.push(m * 10 ** e);
     } else {
-      const rough = (high - low) / 5;
-      const decade = 10 ** Math.floor(Math.log10(rough));
-      const step = [1, 2, 5, 10].find((m) => m * decade >= rough)! * decade;
-      for (let k = Math.ceil(low / step); k * step <= high; ++k) rounded.push(k * step);
+      rounded.push(...roundBetween(low, high));
     }
     return rounded.filter((x) => x >= low && x <= high).map((x) => x / factor);
   }
+}
+
+/** About five round numbers. */
+function roundBetween(low: number, high: number): number[] {
+  const rough = (high - low) / 5;
+  if (!(rough > 0)) return [];
+  const decade = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].find((m) => m * decade >= rough)! * decade;
+  const all: number[] = [];
+  for (let k = Math.ceil(low / step); k * step <= high; ++k) all.push(k * step);
+  return all;
 }

@@ -1,8 +1,9 @@
 // Changes on their way to the server, and what is worked out after them.
 //
 // Changes go one after the other; of those that wait for one place only the newest counts.
-// Each is followed by a coarse field, so that the picture keeps up with the hand; what takes
-// longer waits until nothing changes any more, and is given up as soon as something does.
+// Each is followed by a coarse field, which the next one waits for, so that the picture keeps up
+// with the hand; what takes longer waits until nothing changes any more, and is given up as soon
+// as something does.
 import { Refusal } from './server';
 
 export interface Steps {
@@ -19,7 +20,8 @@ export interface Steps {
 export class Work {
   private readonly waiting = new Map<string, { verb: string; body: object }>();
   private running = false;
-  private abort = new AbortController();
+  private abort = new AbortController(); // of what can wait
+  private gone = new AbortController(); // of all that is of another design
   private stale = false;
 
   constructor(private readonly steps: Steps) {}
@@ -36,6 +38,8 @@ export class Work {
   forget(): void {
     this.waiting.clear();
     this.abort.abort();
+    this.gone.abort();
+    this.gone = new AbortController();
   }
 
   /** Draw anew. */
@@ -62,8 +66,8 @@ export class Work {
         this.stale = false;
         this.abort = new AbortController();
         const { signal } = this.abort;
-        await this.steps.draw(signal);
-        if (this.waiting.size === 0) await this.steps.rest(signal);
+        await this.steps.draw(this.gone.signal);
+        if (this.waiting.size === 0 && !this.stale) await this.steps.rest(signal);
       } catch (error) {
         const overtaken =
           (error instanceof DOMException && error.name === 'AbortError') ||

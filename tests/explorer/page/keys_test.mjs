@@ -1,7 +1,7 @@
 // Everything by the keyboard: choosing, moving by numbers, commands by name.
 import assert from 'node:assert/strict';
 import { delos, drawn, picture, range, settled } from './browser.mjs';
-import { box, laboratory, save, test } from './steps.mjs';
+import { box, grab, laboratory, save, test } from './steps.mjs';
 
 const metres = async (page, name) => Number((await box(page, name).inputValue()).replace(' m', ''));
 const degrees = async (page, name) => Number((await box(page, name).inputValue()).replace(' deg', ''));
@@ -45,6 +45,24 @@ await test('moved by numbers', [laboratory], async (page) => {
   for (let k = 0; k < 3; ++k) await page.keyboard.press('Control+z');
   await settled(page);
   assert.ok(!(await undoable(page)), 'three movements, three steps');
+});
+
+await test('a drag that is taken back', [laboratory], async (page) => {
+  await settled(page);
+  await page.click('[data-device=c104334]');
+  await drawn(page);
+  const place = () => Promise.all(['x', 'y', 'z'].map((axis) => metres(page, axis)));
+  const before = await place();
+  const tag = await page.locator('.tag.selected').boundingBox();
+  const hand = { x: tag.x + tag.width / 2 + 2, y: tag.y + tag.height / 2 - 20 };
+  await grab(page, hand.x, hand.y);
+  for (let k = 1; k <= 5; ++k) await page.mouse.move(hand.x, hand.y - 8 * k);
+  await page.waitForFunction(() => Number(document.querySelector('#numbers').dataset.revision) > 0);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await settled(page);
+  assert.deepEqual(await place(), before, 'it stands where it stood');
+  assert.ok(!(await undoable(page)), 'and nothing is left to undo');
 });
 
 await test('commands by name', [laboratory], async (page) => {

@@ -59,13 +59,15 @@ export class ColourBar {
       tick.style.bottom = `${100 * scale.part(value)}%`;
       return tick;
     };
-    const ends = [scale.min, scale.max];
-    const inner = scale
-      .ticks(unit.factor)
-      .filter((v) => scale.part(v) > 0.06 && scale.part(v) < 0.94 && !(scale.difference && v === 0));
+    const ends = scale.max > scale.min ? [scale.min, scale.max] : [scale.min];
+    const shown = [...(scale.difference ? [0] : []), ...marks];
+    // A label gives way to one that matters more.
+    const apart = (from: number[]) => (v: number) => from.every((other) => Math.abs(scale.part(v) - scale.part(other)) > 0.06);
+    const round = units === 'log10' && scale.min > 0 ? scale.powers() : scale.ticks(unit.factor);
+    const inner = round.filter(apart([...ends, ...shown]));
     this.ticks.replaceChildren(
       ...inner.map((v) => mark(v, 'tick', label(v))),
-      ...(scale.max > scale.min ? ends : [scale.min]).map((v) => mark(v, 'tick end', label(v))),
+      ...ends.filter(apart(shown)).map((v) => mark(v, 'tick end', label(v))),
       ...(scale.difference ? [mark(0, 'level zero', '0')] : []),
       ...marks.map((level) => mark(level, 'level', label(level))),
     );

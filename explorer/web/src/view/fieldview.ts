@@ -15,7 +15,7 @@ import {
 } from 'three';
 import { placeOf, type Field, type GridPart, type Part } from '../field';
 import type { Scale } from '../scale';
-import type { Vec3 } from '../server';
+import type { Box, Vec3 } from '../server';
 import { isosurface } from './isosurface';
 import { paint } from './paint';
 import { discard } from './room';
@@ -31,8 +31,9 @@ export interface FieldOptions {
   level: number | null;
   /** The whole volume: as a cloud, as what lies between two values, or not. */
   volume: 'cloud' | [number, number] | null;
-  /** Cuts of their own. */
+  /** Cuts of their own, shown within a box. */
   sections: Field | null;
+  box: Box;
 }
 
 /** The layer of a grid nearest to a place along an axis. */
@@ -69,10 +70,13 @@ const planeOf = (part: Part & { kind: 'plane' }): SheetData => ({
   index: (i, j) => part.first + i + j * part.counts[0],
 });
 
+const inside = (box: Box | null, p: Vector3) =>
+  !box || p.toArray().every((x, k) => x >= box.min[k]! - 1e-6 && x <= box.max[k]! + 1e-6);
+
 export class FieldView {
   readonly group = new Group();
   private field: Field | null = null;
-  private readonly sheets = new Map<Object3D, { sheet: Sheet; field: Field }>();
+  private readonly sheets = new Map<Object3D, { sheet: Sheet; field: Field; within: Box | null }>();
   readonly volume = new Volume();
   /** Sheets that were shown before: their programs stay compiled. */
   private readonly spare: Sheet[] = [];
@@ -104,7 +108,7 @@ export class FieldView {
       }
     }
     for (const part of options.sections?.parts ?? [])
-      if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge);
+      if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge, options.box);
   }
 
   private bodies(part: GridPart, { level, volume }: FieldOptions, scale: Scale): void {
@@ -115,7 +119,7 @@ export class FieldView {
   /** The nearest sample that a ray meets. */
   pick(ray: Raycaster): Vec3 | null {
     const objects = [...this.sheets.keys(), ...this.scattered.keys()];
-    const hit = ray.intersectObjects(objects, false)[0];
+    const hit = ray.intersectObjects(objects, false).find(({ object, point }) => inside(this.sheets.get(object)?.within ?? null, point));
     if (!hit || !this.field) return null;
     const field = this.sheets.get(hit.object)?.field ?? this.field;
     const sample = this.sampleOf(hit);
@@ -133,13 +137,15 @@ export class FieldView {
     return part.first + corners[0]!;
   }
 
-  private sheet(field: Field, data: SheetData, scale: Scale | null, edge: string): void {
+  private sheet(field: Field, data: SheetData, scale: Scale | null, edge: string, within: Box | null = null): void {
     const { values, mask, summary } = field;
     const sheet = this.spare.pop() ?? new Sheet();
     // Half a device sees nothing: counts don't blend.
-    sheet.show(data, values, mask, summary.metric.name !== 'coverage');
+    sheet.show(data, values, mask, summary.metric.name !== 'coverage', within);
     if (scale) applyScale(sheet.mesh.material as ShaderMaterial, scale);
-    this.sheets.set(sheet.mesh, { sheet, field });
+    this.sheets.set(sheet.mesh, { sheet, field, within });
+    this.group.add(sheet.mesh);
+    if (within) return; // its corners aren't seen
     const { origin, u, v } = data;
     const corners = [
       origin,
@@ -151,7 +157,7 @@ export class FieldView {
       new BufferGeometry().setFromPoints(corners),
       paint(`line ${edge}`, () => new LineBasicMaterial({ color: edge })),
     );
-    this.group.add(sheet.mesh, outline);
+    this.group.add(outline);
   }
 
   private surface(part: GridPart, level: number, scale: Scale): void {

@@ -14,12 +14,15 @@ import {
 } from 'three';
 import { Drawn } from '../field';
 import { scaleShader } from '../maps';
+import type { Box } from '../server';
 import { blindShader, scaleUniforms } from './uniforms';
 
 const vertexShader = /* glsl */ `
 out vec2 at;
+out vec3 place;
 void main() {
   at = uv;
+  place = position;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }
 `;
@@ -32,11 +35,14 @@ precision highp sampler2D;
 uniform sampler2D samples;  // value, Drawn
 uniform vec2 counts;
 uniform bool blend;
+uniform vec3 low, high;  // of what it is shown within, metres
 in vec2 at;
+in vec3 place;
 out vec4 colour;
 ${scaleShader}
 ${blindShader}
 void main() {
+  if (any(lessThan(place, low)) || any(greaterThan(place, high))) discard;
   vec2 s = clamp(at, 0.0, 1.0) * (counts - 1.0);
   ivec2 last = ivec2(counts) - 1;
   vec2 nearest = texelFetch(samples, min(ivec2(s + 0.5), last), 0).xy;
@@ -92,6 +98,8 @@ export class Sheet {
         samples: { value: null },
         counts: { value: new Vector2(1, 1) },
         blend: { value: true },
+        low: { value: new Vector3() },
+        high: { value: new Vector3() },
       },
       polygonOffset: true,
       polygonOffsetFactor: 1,
@@ -100,8 +108,13 @@ export class Sheet {
     this.mesh = new Mesh(new BufferGeometry(), material);
   }
 
-  show(data: SheetData, values: Float32Array, mask: Uint8Array, blend: boolean): void {
+  /** @param within what of it is shown; null: all */
+  show(data: SheetData, values: Float32Array, mask: Uint8Array, blend: boolean, within: Box | null): void {
     this.data = data;
+    const { low, high } = this.mesh.material.uniforms;
+    const all = 1e30;
+    low!.value.set(...(within?.min ?? [-all, -all, -all])).addScalar(-1e-6);
+    high!.value.set(...(within?.max ?? [all, all, all])).addScalar(1e-6);
     const [nu, nv] = data.counts;
     const texels = new Float32Array(2 * nu * nv);
     for (let j = 0, k = 0; j < nv; ++j)
