@@ -195,7 +195,7 @@ Eigen::Matrix<double, 6, 3> directions(const Eigen::Vector3d& p) {
 // A clock that is unknown anew at each update leaves a filter the differences to one
 // anchor, whose noise they share: R = σ² (I + 1 1ᵀ), by `linear` and without a clock.
 TEST(TimeDifferences, AreWhatAFilterHasOfAFreeClock) {
-  for (const Eigen::Vector3d p : {Eigen::Vector3d(3, 3, 1), {9, 3, 1}, {1, 5, 2}}) {
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(3, 3, 1), {9, 3, 1}, {1, 5, 2}}) {
     const Eigen::Matrix<double, 6, 3> h = directions(p);
     Eigen::Matrix<double, 5, 6> H = Eigen::Matrix<double, 5, 6>::Zero();
     for (int i = 0; i < 5; ++i) H.row(i).head<3>() = h.row(i + 1) - h.row(0);
