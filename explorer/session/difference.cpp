@@ -4,25 +4,30 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include <vector>
+
+#include "delos/scene/definition.h"
+#include "session/comparison.h"
 
 namespace delos::session {
 namespace {
 
-/// The baseline's metric over samples, evaluated only where they or the metric are
-/// others than the last time.
-const Field& baseline_field(Baseline& baseline, const LoadedScene& loaded,
-                            const Samples& samples, const FieldOptions& options) {
-  const std::optional<Field>& kept = baseline.field;
-  if (kept && !kept->cancelled && kept->metric == loaded.metric.name &&
+/// A metric of what was pinned over samples, evaluated only where they, the metric or
+/// the definition are others than the last time.
+/// @param pinned the baseline, evaluated as the design is
+const Field& field_of(const LoadedScene& pinned, const Metric& metric,
+                      const Samples& samples, const FieldOptions& options,
+                      std::optional<Field>& kept) {
+  if (kept && !kept->cancelled && kept->metric == metric.name &&
+      kept->definition == definition_of(pinned.system) &&
       kept->samples.points == samples.points)
     return *kept;
-  const std::string problem = metric_problem(baseline.loaded.system, loaded.metric);
+  const std::string problem = metric_problem(pinned.system, metric);
   if (!problem.empty())
     throw std::invalid_argument("what was pinned can't be compared: " + problem);
-  baseline.field =
-      evaluate_field(baseline.loaded.system, samples,
-                     baseline.loaded.scene.orientations, loaded.metric, options);
-  return *baseline.field;
+  kept = evaluate_field(pinned.system, samples, pinned.scene.orientations, metric,
+                        options);
+  return *kept;
 }
 
 Drawn change_of(double before, double after, bool inside) {
@@ -43,9 +48,12 @@ DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
                            std::size_t most, const FieldOptions& options) {
   DrawnField drawn;
   const Samples samples = drawn_samples(loaded.scene, most, drawn.coarse);
-  const Field& before = baseline_field(baseline, loaded, samples, options);
-  const Field after = evaluate_field(loaded.system, samples, loaded.scene.orientations,
-                                     loaded.metric, options);
+  std::vector<LoadedScene> sides{baseline.loaded, loaded};
+  evaluate_alike(sides);
+  const Field& before =
+      field_of(sides[0], loaded.metric, samples, options, baseline.field);
+  const Field after = evaluate_field(sides[1].system, samples,
+                                     loaded.scene.orientations, loaded.metric, options);
   Comparison comparison = compare_fields(before, after);
   for (std::size_t i = 0; i < after.value.size(); ++i) {
     const bool inside = (!after.inside.empty() && after.inside[i] != 0) ||
@@ -69,7 +77,11 @@ DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
       {"max", extreme_json(extremes.max, comparison.common)},
       {"better", number(comparison.improved_fraction)},
       {"gained", count(Drawn::gained)},
-      {"lost", count(Drawn::lost)}};
+      {"lost", count(Drawn::lost)},
+      {"definition", to_string(after.definition)},
+      {"pinned_definition", alike(before.definition, after.definition)
+                                ? Json()
+                                : Json(to_string(before.definition))}};
   return drawn;
 }
 

@@ -70,26 +70,4 @@ void DatabaseLedger::each(const Told& told) {
          {s.real(3), {s.real(4), s.numbers(5)}, s.numbers(6), s.numbers(7)});
 }
 
-void PartsLedger::add(const Database& part, int round) {
-  parts_.push_back(std::make_unique<DatabaseLedger>(part, round, [] {}));
-}
-
-bool PartsLedger::recall(const EvaluationKey& key, std::span<const double> x,
-                         EvaluationRecord& record) {
-  if (whole_.recall(key, x, record)) return true;
-  for (const auto& part : parts_) {
-    if (!part->recall(key, x, record)) continue;
-    whole_.remember(key, x, record);
-    return true;
-  }
-  return false;
-}
-
-void PartsLedger::remember(const EvaluationKey& key, std::span<const double> x,
-                           const EvaluationRecord& record) {
-  whole_.remember(key, x, record);
-}
-
-void PartsLedger::each(const Told& told) { whole_.each(told); }
-
 }  // namespace delos

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <mutex>
-#include <vector>
 
 #include "delos/optimize/optimize.h"
 #include "study/database.h"
@@ -27,26 +25,6 @@ class DatabaseLedger final : public EvaluationLedger {
   int round_;
   std::function<void()> watch_;
   std::mutex mutex_;
-};
-
-/// A study's ledger that also knows what its parts have evaluated, and takes over what
-/// is asked for.
-class PartsLedger final : public EvaluationLedger {
- public:
-  /// @param whole kept by reference
-  explicit PartsLedger(DatabaseLedger& whole) : whole_(whole) {}
-  /// @param part kept by reference
-  void add(const Database& part, int round);
-
-  bool recall(const EvaluationKey& key, std::span<const double> x,
-              EvaluationRecord& record) override;
-  void remember(const EvaluationKey& key, std::span<const double> x,
-                const EvaluationRecord& record) override;
-  void each(const Told& told) override;
-
- private:
-  DatabaseLedger& whole_;
-  std::vector<std::unique_ptr<DatabaseLedger>> parts_;
 };
 
 }  // namespace delos

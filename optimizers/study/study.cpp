@@ -11,7 +11,6 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 #include "delos/scene/io.h"
 #include "delos/text/units.h"
@@ -19,6 +18,7 @@
 #include "study/database.h"
 #include "study/journal.h"
 #include "study/ledger.h"
+#include "study/parts.h"
 #include "study/run_lock.h"
 
 namespace delos {
@@ -93,6 +93,8 @@ struct Study::State {
     plan.version = fact("version");
     if (!fact("parts").empty())
       plan.part = {whole_fact<std::size_t>("part"), whole_fact<std::size_t>("parts")};
+    if (plan.part.index >= plan.part.of)
+      damaged("it is part " + fact("part") + " of " + fact("parts") + ", from 0");
     return plan;
   }
 
@@ -277,38 +279,8 @@ Study Study::merge(const std::filesystem::path& file,
                    PluginRegistry& plugins) {
   std::vector<Study> all;
   for (const auto& part : parts) all.emplace_back(part, plugins);
-  const auto refuse = [&](std::size_t k, const std::string& what) {
-    throw std::invalid_argument(parts[k].string() + ' ' + what);
-  };
-  const StudyPlan plan = all.front().summary().plan;
-  std::vector<std::size_t> owner(plan.part.of, all.size());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const StudySummary s = all[k].summary();
-    if (s.plan.part.of < 2) refuse(k, "isn't a part: it was begun without --shard");
-    if (s.rounds.size() > 1 || !s.acts.empty())
-      refuse(k, "was steered, which the other parts weren't");
-    if (s.plan.version != plan.version)
-      refuse(k, "was begun by version " + s.plan.version + ", " + parts[0].string() +
-                    " by " + plan.version);
-    const auto asked = [](const StudyPlan& p) {
-      return std::tuple(p.algorithm, p.starts, p.evaluations, p.seed, p.samples,
-                        p.part.of);
-    };
-    if (asked(s.plan) != asked(plan) ||
-        write_scene(all[k].scene(0)) != write_scene(all[0].scene(0)))
-      refuse(k, "is a part of another search than " + parts[0].string());
-    std::size_t& of = owner[s.plan.part.index];
-    if (of < all.size()) refuse(k, "and " + parts[of].string() + " are the same part");
-    of = k;
-  }
-  std::string missing;
-  for (std::size_t part = 0; part < owner.size(); ++part)
-    if (owner[part] == all.size())
-      missing += (missing.empty() ? "" : ", ") + std::to_string(part + 1) + '/' +
-                 std::to_string(owner.size());
-  if (!missing.empty())
-    throw std::invalid_argument("the part " + missing + " is missing");
-  StudyPlan whole = plan;
+  check_parts(parts, all);
+  StudyPlan whole = all.front().summary().plan;
   whole.part = {};
   Study merged =
       create(file, all.front().scene(0), all.front().folder(), whole, plugins);

@@ -114,7 +114,10 @@ ParamSpec param_of(PythonPlugin& plugin, const std::string& name,
 
 py::object add_device(const std::string& id, const py::object& type,
                       const py::dict& params) {
-  const auto slot = std::find(g_plugins.begin(), g_plugins.end(), nullptr);
+  // A class that is defined anew, as in a notebook's cell, takes the place of the old.
+  const auto slot =
+      std::find_if(g_plugins.begin(), g_plugins.end(),
+                   [&](const PythonPlugin* p) { return !p || id == p->info.id; });
   if (slot == g_plugins.end())
     throw std::runtime_error("there are " + std::to_string(kMostPlugins) +
                              " devices in Python already");
@@ -150,7 +153,7 @@ void bind_devices(py::module_& module) {
       "m×m covariance. needs_sight = False: nothing hides the point.\n"
       "params: {name: initial value} or {name: (initial value, SI unit)}; None: it "
       "must be given.\n"
-      "Raises ValueError where the id is taken.");
+      "Of one id the last counts. Raises ValueError where a plugin has it.");
 }
 
 }  // namespace delos::python

@@ -9,6 +9,7 @@
 #include "delos/optimize/study.h"
 #include "delos/optimize/tradeoff.h"
 #include "optimizers/scenes.h"
+#include "study/database.h"
 #include "support/folder.h"
 
 namespace delos::test {
@@ -276,6 +277,18 @@ TEST(Parts, ThatDontFitAreNamed) {
       says(refusal({"one", "two", "seed"}), "seed is a part of another search"));
   EXPECT_TRUE(says(refusal({"one", "whole"}), "whole isn't a part"));
   EXPECT_FALSE(std::filesystem::exists(folder / "merged"));
+}
+
+/// What is read again is data: a part that can't be one isn't taken for an index.
+TEST(Parts, ThatAreDamagedAreRefused) {
+  const Folder folder;
+  (void)part_of(folder / "one", 0, 2);
+  (void)part_of(folder / "two", 1, 2);
+  Database(folder / "two", false)
+      .run("UPDATE facts SET value = '7' WHERE name = 'part'");
+  EXPECT_THROW((void)Study::merge(folder / "merged", {folder / "one", folder / "two"},
+                                  plugins()),
+               std::runtime_error);
 }
 
 }  // namespace

@@ -56,6 +56,21 @@ def test_shapes_are_checked(scenes):
         delos.field(scene_of(scenes, "python_shapes", {}))
 
 
-def test_an_id_is_taken_once():
+def test_a_plugins_id_is_taken():
     with pytest.raises(ValueError, match="already"):
-        delos.add_device("python_range", PythonRange)
+        delos.add_device("range", PythonRange)
+
+
+def test_a_cell_can_be_run_again(scenes):
+    with pytest.raises(delos.SceneError, match="no plugin 'python_again'"):
+        scene_of(scenes, "python_again", {})
+    fields = []
+    for sigma in (0.001, 0.002):
+
+        @delos.device("python_again")
+        class Again(PythonRange):
+            def __init__(self, sigma=sigma):
+                super().__init__(sigma)
+
+        fields.append(delos.field(scene_of(scenes, "python_again", {})).values)
+    assert np.all(fields[1] > fields[0])

@@ -67,6 +67,31 @@ TEST(Difference, TellsWhatIsLostAndGained) {
     EXPECT_EQ(with.mask[i] == Drawn::gained, without.mask[i] == Drawn::lost);
 }
 
+/// Another fusion isn't a better design: what was pinned has it then, too, as delos
+/// compare has it.
+TEST(Difference, IsOfOneFusion) {
+  Design design = design_of("01-acoustic");
+  Baseline baseline{design.loaded(), {}};
+  (void)draw_difference(design.loaded(), baseline, 0, {});  // kept, of stacked fusion
+  change(design, {{"fusion", "continuous"}});
+  const DrawnField drawn = draw_difference(design.loaded(), baseline, 0, {});
+  EXPECT_EQ(drawn.summary["definition"], "a-priori covariance, continuous fusion");
+  EXPECT_TRUE(drawn.summary["pinned_definition"].is_null());
+  EXPECT_EQ(drawn.summary["mean"], 0);
+  EXPECT_EQ(drawn.summary["better"], 0);
+}
+
+TEST(Difference, SaysWhatIsNotAlike) {
+  Design design = design_of("01-acoustic");
+  change(design, {{"fusion", "continuous"}});
+  Baseline baseline{design.loaded(), {}};
+  change(design, {{"fusion", "periodic"}});
+  const DrawnField drawn = draw_difference(design.loaded(), baseline, 0, {});
+  EXPECT_EQ(drawn.summary["definition"], "a-priori covariance, periodic fusion");
+  EXPECT_EQ(drawn.summary["pinned_definition"],
+            "a-priori covariance, continuous fusion");
+}
+
 /// What is pinned follows other samples and another metric.
 TEST(Difference, FollowsSamplesAndMetric) {
   Design design = design_of("01-acoustic");

@@ -74,7 +74,8 @@ void expect_kept(const Kept& kept) {
 TEST(StoredField, IsTheFieldToTheLastBit) { expect_kept(acoustic()); }
 
 TEST(StoredField, KeepsTheVolumeOfAnAdaptiveOne) {
-  const Kept kept = field_of("06-furnished-lab", {{"sample.volume.adaptive.depth", "2"}});
+  const Kept kept =
+      field_of("06-furnished-lab", {{"sample.volume.adaptive.depth", "2"}});
   ASSERT_TRUE(kept.field.spread);
   expect_kept(kept);
 }

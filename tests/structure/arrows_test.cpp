@@ -177,11 +177,10 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 }
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
-  expect_downwards(
-      {"explorer",
-       {"recordings", "motion", "measured", "readings", "imports", "session", "server",
-        "report", "cli"}},
-      "");
+  expect_downwards({"explorer",
+                    {"recordings", "motion", "measured", "readings", "imports",
+                     "session", "server", "report", "cli"}},
+                   "");
 }
 
 struct Home {

@@ -62,6 +62,9 @@ export interface Summary {
   better?: number;
   gained?: number;
   lost?: number;
+  definition?: string;
+  /** Of what was pinned, where that is another one. */
+  pinned_definition?: string | null;
 }
 
 export interface Field {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 namespace delos {
+
 std::vector<Eigen::Vector3d> surface_normals(const Samples& samples) {
   std::vector<Eigen::Vector3d> normals(samples.points.size(), Eigen::Vector3d::Zero());
   for (const SamplePart& part : samples.parts) {
@@ -18,8 +19,7 @@ std::vector<Eigen::Vector3d> surface_normals(const Samples& samples) {
             (corner(1) - corner(0)).cross(corner(2) - corner(0));  // twice the area
         for (const std::uint32_t vertex : t) normals[part.first + vertex] += n;
       }
-      for (std::size_t i = 0; i < part.count; ++i)
-        normals[part.first + i].normalize();
+      for (std::size_t i = 0; i < part.count; ++i) normals[part.first + i].normalize();
     }
   }
   return normals;

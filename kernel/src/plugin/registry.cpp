@@ -115,11 +115,13 @@ PluginRegistry::PluginRegistry(std::vector<fs::path> folders)
 
 void PluginRegistry::add(const PluginInfo& info) {
   const std::lock_guard lock(mutex_);
-  const auto [at, is_new] = loaded_.try_emplace(info.id, PluginLoad{&info, {}, {}});
-  if (!is_new)
-    throw std::invalid_argument("there is a device '" + at->first +
+  if (!locate(folders_, info.id).empty())
+    throw std::invalid_argument(std::string("there is a plugin '") + info.id +
                                 "' already; choose another id");
-  own_.emplace_back(info.id);
+  // What was looked for in vain before is found from now on.
+  loaded_[info.id] = {&info, {}, {}};
+  if (std::find(own_.begin(), own_.end(), info.id) == own_.end())
+    own_.emplace_back(info.id);
 }
 
 const PluginLoad& PluginRegistry::find(std::string_view id) {

@@ -6,6 +6,7 @@
 #include "steady/single.h"
 
 namespace delos {
+
 StackedSolver::StackedSolver(const System& system, Solver solver)
     : SmoothSteadySolver(system, solver) {
   const UpdateSlot all{system.devices.front().period,

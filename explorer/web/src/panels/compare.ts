@@ -52,7 +52,7 @@ export class ComparePanel {
     this.buttons.forEach((b) => b.setAttribute('aria-pressed', String(b.dataset.compare === this.viewing.compare)));
     this.words.hidden = !pinned || !summary;
     if (!pinned || !summary) return;
-    const { mean, min, max, metric, better, gained, lost } = summary;
+    const { mean, min, max, metric, better, gained, lost, definition, pinned_definition: other } = summary;
     const signed = (value: number | null) => `${value !== null && value > 0 ? '+' : ''}${quantity(value, metric.unit)}`;
     const number = (name: string, value: number | null | undefined, text: string) =>
       h('span', { 'data-difference': name, 'data-value': value ?? '' }, `${name} `, h('b', {}, text));
@@ -66,6 +66,7 @@ export class ComparePanel {
       number('gained', gained, String(gained)),
       ', ',
       number('lost', lost, String(lost)),
+      other ? h('b', { className: 'unlike' }, `. Not alike: of the ${definition}, what is pinned of the ${other}`) : `; of the ${definition}`,
     );
   }
 }

@@ -34,16 +34,17 @@ class DELOS_API PluginRegistry {
   explicit PluginRegistry(
       std::vector<std::filesystem::path> folders = plugin_folders());
 
-  /// Have a device of the program's own, before any library of its id.
+  /// Have a device of the program's own; of one id the last counts from then on.
   /// @param info kept by reference, for as long as any device of it lives
-  /// @throws std::invalid_argument its id has been found before
+  /// @throws std::invalid_argument a library in the folders has its id
   void add(const PluginInfo& info);
 
   /// The plugin with this id: `<folder>/<id>.so` in the first folder that has it.
   /// The stamp is compared before any C++ object is touched. The answer is kept.
   const PluginLoad& find(std::string_view id);
 
-  /// Every plugin in the folders and of the program, sorted by id, the broken ones with their errors.
+  /// Every plugin in the folders and of the program, sorted by id, the broken ones with
+  /// their errors.
   std::vector<PluginLoad> all();
 
   /// Their ids, sorted, without opening libraries.
@@ -56,7 +57,7 @@ class DELOS_API PluginRegistry {
  private:
   std::vector<std::filesystem::path> folders_;
   std::vector<std::string> own_;  // ids of the program's
-  std::mutex mutex_;  // of the answers, which stay where they are
+  std::mutex mutex_;              // of the answers, which stay where they are
   std::map<std::string, PluginLoad, std::less<>> loaded_;
 };
 

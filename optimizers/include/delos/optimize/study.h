@@ -68,6 +68,7 @@ class Study {
                       PluginRegistry& plugins);
   /// Begin one from studies that each have a part of its starts; run() recalls what
   /// they have evaluated, and gives the same as if it had searched alone.
+  /// @param parts one or more
   /// @throws std::runtime_error as create(), or as opening one of them
   /// @throws std::invalid_argument one of them is steered, is about something else,
   ///         of another version or there twice, or one is missing: by name
