@@ -75,7 +75,7 @@ std::vector<Bad> bad_searches() {
           "scene has a name")}},
       {"Level",
        with("objective: {minimize: cvar, level: 1.5}\n"),
-       {e("18:36: error: objective.level: 1.5 is out of range")}},
+       {e("18:36: error: objective.level: must be above 0 and below 1")}},
       {"UnknownFailure",
        with("objective: {minimize: mean, robust: {failures: [s1, s3]}}\n"),
        {e("18:48: error: objective.robust.failures: there is no device 's3'; did you "

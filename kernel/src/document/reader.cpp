@@ -27,6 +27,28 @@ const char* kind_name(Node::Kind kind) {
   return "";
 }
 
+/// "0", "180 deg"
+std::string bound_text(double bound, std::string_view unit) {
+  return unit == "rad" && bound != 0 ? shortest(bound * 180 / std::numbers::pi) + " deg"
+                                     : shortest(bound);
+}
+
+/// "must be above 0 and at most 180 deg"
+std::string text_of(const Bounds& b, std::string_view unit) {
+  const std::string least = bound_text(b.least, unit),
+                    greatest = bound_text(b.greatest, unit);
+  const bool from = std::isfinite(b.least), to = std::isfinite(b.greatest);
+  if (from && to && !b.above && !b.below)
+    return "must be from " + least + " to " + greatest;
+  if (from && !to && !b.above) return "must not be below " + least;
+  std::string text = "must be";
+  if (from) text += (b.above ? " above " : " at least ") + least;
+  if (to)
+    text += (from ? " and" : "") + std::string(b.below ? " below " : " at most ") +
+            greatest;
+  return text;
+}
+
 }  // namespace
 
 std::string Place::path() const {
@@ -73,6 +95,21 @@ std::optional<double> Reader::number(const Place& at, std::string_view unit) {
   return std::nullopt;
 }
 
+std::optional<double> Reader::number(const Place& at) {
+  const Shape& shape = *at.shape();
+  const std::string_view unit = shape.unit;
+  const auto value = unit == "rad" ? angle(at) : number(at, unit);
+  if (!value || !within(at, *value, shape.bounds, unit)) return std::nullopt;
+  return value;
+}
+
+bool Reader::within(const Place& at, double value, const Bounds& bounds,
+                    std::string_view unit) {
+  if (bounds.hold(value)) return true;
+  error(at, text_of(bounds, unit) + bounds.why);
+  return false;
+}
+
 std::optional<double> Reader::angle(const Place& at) {
   const auto value = number(at, "rad");
   const std::string& text = at.node().text;
@@ -97,6 +134,11 @@ std::optional<int> Reader::integer(const Place& at, int least, int greatest) {
     return std::nullopt;
   }
   return static_cast<int>(number.value);
+}
+
+std::optional<int> Reader::integer(const Place& at) {
+  const Bounds& bounds = at.shape()->bounds;
+  return integer(at, static_cast<int>(bounds.least), static_cast<int>(bounds.greatest));
 }
 
 std::optional<std::string> Reader::word(const Place& at) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "delos/document/shape.h"
 #include "delos/plugin/registry.h"
 #include "delos/text/words.h"
 #include "document/findings.h"
@@ -24,10 +25,13 @@ namespace delos {
 class Place {
  public:
   explicit Place(const Node& root) : node_(root) {}
-  Place(const Place& parent, std::string segment, const Node& node)
-      : parent_(&parent), segment_(std::move(segment)), node_(node) {}
+  /// @param shape what the value should look like; null where the reader says it
+  Place(const Place& parent, std::string segment, const Node& node,
+        const Shape* shape = nullptr)
+      : parent_(&parent), segment_(std::move(segment)), node_(node), shape_(shape) {}
 
   [[nodiscard]] const Node& node() const { return node_; }
+  [[nodiscard]] const Shape* shape() const { return shape_; }
   /// "devices.s1.at.x"; empty for the root.
   [[nodiscard]] std::string path() const;
   /// The path of something in this node: path() + "." + segment.
@@ -37,6 +41,7 @@ class Place {
   const Place* parent_ = nullptr;
   std::string segment_;
   const Node& node_;
+  const Shape* shape_ = nullptr;
 };
 
 /// How paths call the components of a list of coordinates.
@@ -68,10 +73,17 @@ struct Reader {
   bool expect(const Place& at, Node::Kind kind, std::string_view what);
 
   std::optional<double> number(const Place& at, std::string_view unit);
+  /// A number of the place's shape, whose bounds are kept to.
+  std::optional<double> number(const Place& at);
   /// The same of an angle. Radians without a unit of more than a full turn are what
   /// degrees look like: a warning.
   std::optional<double> angle(const Place& at);
+  /// Whether bounds hold a number; a finding where they don't.
+  bool within(const Place& at, double value, const Bounds& bounds,
+              std::string_view unit);
   std::optional<int> integer(const Place& at, int least, int greatest);
+  /// A whole number of the place's shape.
+  std::optional<int> integer(const Place& at);
   std::optional<std::string> word(const Place& at);
   /// A word that isn't part of a path's syntax: names of devices, groups, samples.
   std::optional<std::string> name(const Place& at);

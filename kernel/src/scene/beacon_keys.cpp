@@ -14,6 +14,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// More would need gigabytes and are surely a slip in `step`.
@@ -134,28 +135,6 @@ void read_normal(Reader& reader, const Place& at, BeaconSetDraft& out) {
   out.set.normal = *normal;
 }
 
-void read_emission(Reader& reader, const Place& at, BeaconSetDraft& out) {
-  const auto angle = reader.number(at, "rad");
-  if (!angle) return;
-  if (!(*angle > 0 && *angle <= std::numbers::pi))
-    reader.error(at, "must be above 0 and at most 180 deg: the half-angle of the cone");
-  out.set.emission = *angle;
-}
-
-void read_range(Reader& reader, const Place& at, BeaconSetDraft& out) {
-  const auto range = reader.number(at, "m");
-  if (!range) return;
-  if (!(*range > 0)) reader.error(at, "must be above 0");
-  out.set.range = *range;
-}
-
-void read_weight(Reader& reader, const Place& at, BeaconSetDraft& out) {
-  const auto weight = reader.number(at, "1");
-  if (!weight) return;
-  if (!(*weight >= 0 && *weight <= 1)) reader.error(at, "must be from 0 to 1");
-  out.set.weight = *weight;
-}
-
 Node row_node(const BeaconEntry& entry) {
   std::vector<Node> row;
   for (const double x : entry.p) row.push_back(to_node(x));
@@ -165,8 +144,14 @@ Node row_node(const BeaconEntry& entry) {
   return to_node(std::move(row));
 }
 
+constexpr Bounds kConeHalfAngle = {.least = 0,
+                                   .greatest = std::numbers::pi,
+                                   .above = true,
+                                   .why = ": the half-angle of the cone"};
+
 constexpr std::array<Key<BeaconSetDraft>, 9> kBeaconKeys = {{
-    {"grid", Need::optional, "a regular grid: min, max and step, metres", read_grid,
+    {"grid", Need::optional, "a regular grid: min, max and step, metres",
+     map(volume_keys), read_grid,
      [](const BeaconSetDraft& d) -> Written {
        const auto* grid = std::get_if<BeaconGrid>(&d.set.layout);
        if (!grid) return std::nullopt;
@@ -174,7 +159,7 @@ constexpr std::array<Key<BeaconSetDraft>, 9> kBeaconKeys = {{
      }},
     {"list", Need::optional,
      "beacons [x, y, z], [x, y, z, nx, ny, nz] or [x, y, z, nx, ny, nz, weight]",
-     read_list,
+     list([] { return numbers("1", 3, 7); }, 1), read_list,
      [](const BeaconSetDraft& d) -> Written {
        const auto* list = std::get_if<BeaconList>(&d.set.layout);
        if (!list || !list->file.empty()) return std::nullopt;
@@ -183,7 +168,7 @@ constexpr std::array<Key<BeaconSetDraft>, 9> kBeaconKeys = {{
        return to_node(std::move(rows));
      }},
     {"file", Need::optional, "such rows in a .csv or .ptl file, relative to the scene",
-     read_file,
+     text(), read_file,
      [](const BeaconSetDraft& d) -> Written {
        const auto* list = std::get_if<BeaconList>(&d.set.layout);
        if (!list || list->file.empty()) return std::nullopt;
@@ -191,6 +176,7 @@ constexpr std::array<Key<BeaconSetDraft>, 9> kBeaconKeys = {{
      }},
     {"pattern", Need::optional,
      "panels of the grid that are lit: full, half, columns or checkerboard",
+     choice<kBeaconPatternWords>(),
      [](Reader& r, const Place& p, BeaconSetDraft& d) {
        d.pattern = r.choice(p, kBeaconPatternWords);
      },
@@ -198,29 +184,41 @@ constexpr std::array<Key<BeaconSetDraft>, 9> kBeaconKeys = {{
        if (!d.pattern) return std::nullopt;
        return to_node(word_of(kBeaconPatternWords, *d.pattern));
      }},
-    {"panel", Need::optional, "beacons of a panel along x and y, [nx, ny]", read_panel,
+    {"panel", Need::optional, "beacons of a panel along x and y, [nx, ny]",
+     numbers("1", 2, 2, at_least(1)), read_panel,
      [](const BeaconSetDraft& d) -> Written {
        if (!d.panel) return std::nullopt;
        return to_node(std::vector<Node>{to_node(d.panel->x()), to_node(d.panel->y())});
      }},
-    {"normal", Need::optional, "which way they face, [x, y, z]", read_normal,
+    {"normal", Need::optional, "which way they face, [x, y, z]", vector("1"),
+     read_normal,
      [](const BeaconSetDraft& d) -> Written {
        if (!d.set.normal) return std::nullopt;
        return vector_node(*d.set.normal);
      }},
     {"emission", Need::optional, "half-angle of their cone of light about the normal",
-     read_emission,
+     number("rad", kConeHalfAngle),
+     [](Reader& r, const Place& p, BeaconSetDraft& d) {
+       if (const auto v = r.number(p)) d.set.emission = *v;
+     },
      [](const BeaconSetDraft& d) -> Written {
        if (d.set.emission == BeaconSet{}.emission) return std::nullopt;
        return to_node(d.set.emission);
      }},
-    {"range", Need::optional, "farthest that they are seen, metres", read_range,
+    {"range", Need::optional, "farthest that they are seen, metres",
+     number("m", above(0)),
+     [](Reader& r, const Place& p, BeaconSetDraft& d) {
+       if (const auto v = r.number(p)) d.set.range = *v;
+     },
      [](const BeaconSetDraft& d) -> Written {
        if (d.set.range == BeaconSet{}.range) return std::nullopt;
        return to_node(d.set.range);
      }},
     {"weight", Need::optional, "the part of the time that each can be used, 0 to 1",
-     read_weight,
+     number("1", between(0, 1)),
+     [](Reader& r, const Place& p, BeaconSetDraft& d) {
+       if (const auto v = r.number(p)) d.set.weight = *v;
+     },
      [](const BeaconSetDraft& d) -> Written {
        if (d.set.weight == BeaconSet{}.weight) return std::nullopt;
        return to_node(d.set.weight);
@@ -251,6 +249,8 @@ void check_layout(Reader& reader, const Place& at, const BeaconSetDraft& draft) 
 }
 
 }  // namespace
+
+Shape beacon_set_shape() { return map<kBeaconKeys>(); }
 
 void read_beacons(Reader& reader, const Place& at, std::vector<BeaconSet>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to sets of beacons"))

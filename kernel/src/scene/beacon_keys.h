@@ -12,4 +12,6 @@ void read_beacons(Reader& reader, const Place& at, std::vector<BeaconSet>& out);
 
 [[nodiscard]] Node write_beacons(const std::vector<BeaconSet>& beacons);
 
+[[nodiscard]] Shape beacon_set_shape();
+
 }  // namespace delos

@@ -8,56 +8,38 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// The greatest number of sides: more would only slow down what looks round already.
 constexpr int kMostSides = 1000;
 
-void read_length(Reader& reader, const Place& at, double& out) {
-  const auto length = reader.number(at, "m");
-  if (!length) return;
-  if (*length > 0)
-    out = *length;
-  else
-    reader.error(at, "must be above 0");
-}
-
 // ---- box ----
 
 constexpr std::array<Key<BoxShape>, 2> kBoxKeys = {{
-    {"min", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, BoxShape& b) { read_vector(r, p, b.min); },
-     [](const BoxShape& b) -> Written { return vector_node(b.min); }},
-    {"max", Need::required, "opposite corner [x, y, z], metres",
-     [](Reader& r, const Place& p, BoxShape& b) { read_vector(r, p, b.max); },
-     [](const BoxShape& b) -> Written { return vector_node(b.max); }},
+    member_key<&BoxShape::min>("min", Need::required, "corner [x, y, z], metres",
+                               vector("m")),
+    member_key<&BoxShape::max>("max", Need::required,
+                               "opposite corner [x, y, z], metres", vector("m")),
 }};
 
 // ---- cylinder ----
 
 constexpr std::array<Key<CylinderShape>, 3> kCylinderKeys = {{
-    {"radius", Need::required, "metres",
-     [](Reader& r, const Place& p, CylinderShape& c) { read_length(r, p, c.radius); },
-     [](const CylinderShape& c) -> Written { return to_node(c.radius); }},
-    {"height", Need::required, "metres, from z = 0 up",
-     [](Reader& r, const Place& p, CylinderShape& c) { read_length(r, p, c.height); },
-     [](const CylinderShape& c) -> Written { return to_node(c.height); }},
-    {"sides", Need::optional, "flat sides that it is made of",
-     [](Reader& r, const Place& p, CylinderShape& c) {
-       if (const auto sides = r.integer(p, 3, kMostSides)) c.sides = *sides;
-     },
-     [](const CylinderShape& c) -> Written {
-       if (c.sides == CylinderShape{}.sides) return std::nullopt;
-       return to_node(c.sides);
-     }},
+    member_key<&CylinderShape::radius>("radius", Need::required, "metres",
+                                       number("m", above(0))),
+    member_key<&CylinderShape::height>("height", Need::required,
+                                       "metres, from z = 0 up", number("m", above(0))),
+    other_key<&CylinderShape::sides>("sides", Need::optional,
+                                     "flat sides that it is made of",
+                                     integer(3, kMostSides)),
 }};
 
 // ---- sphere ----
 
 constexpr std::array<Key<SphereShape>, 1> kSphereKeys = {{
-    {"radius", Need::required, "metres",
-     [](Reader& r, const Place& p, SphereShape& s) { read_length(r, p, s.radius); },
-     [](const SphereShape& s) -> Written { return to_node(s.radius); }},
+    member_key<&SphereShape::radius>("radius", Need::required, "metres",
+                                     number("m", above(0))),
 }};
 
 // ---- prism ----
@@ -80,16 +62,16 @@ void read_polygon(Reader& reader, const Place& at, PrismShape& out) {
 }
 
 constexpr std::array<Key<PrismShape>, 2> kPrismKeys = {{
-    {"polygon", Need::required, "corners in order [[x, y], …], metres", read_polygon,
+    {"polygon", Need::required, "corners in order [[x, y], …], metres",
+     list([] { return numbers("m", 2, 2); }), read_polygon,
      [](const PrismShape& s) -> Written {
        std::vector<Node> corners;
        for (const Eigen::Vector2d& corner : s.polygon)
          corners.push_back(vector_node(corner));
        return to_node(std::move(corners));
      }},
-    {"height", Need::required, "metres, from z = 0 up",
-     [](Reader& r, const Place& p, PrismShape& s) { read_length(r, p, s.height); },
-     [](const PrismShape& s) -> Written { return to_node(s.height); }},
+    member_key<&PrismShape::height>("height", Need::required, "metres, from z = 0 up",
+                                    number("m", above(0))),
 }};
 
 /// The shape where the body is one.
@@ -101,6 +83,11 @@ Written write_shape(const std::array<Key<Shape>, N>& keys, const Body& body) {
 }
 
 }  // namespace
+
+std::vector<KeyShape> box_keys() { return keys_of<kBoxKeys>(); }
+std::vector<KeyShape> cylinder_keys() { return keys_of<kCylinderKeys>(); }
+std::vector<KeyShape> sphere_keys() { return keys_of<kSphereKeys>(); }
+std::vector<KeyShape> prism_keys() { return keys_of<kPrismKeys>(); }
 
 std::optional<BoxShape> read_box(Reader& reader, const Place& at) {
   const std::size_t before = reader.findings.errors();

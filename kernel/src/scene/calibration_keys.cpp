@@ -11,6 +11,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 bool is_deviation(Reader& reader, const Place& at, double value) {
@@ -107,26 +108,36 @@ struct Draft {
   const PluginInfo* info = nullptr;
 };
 
+constexpr char kMetres[] = "m", kRadians[] = "rad";
+
+template <const char* kUnit>
+std::vector<Shape> deviation_forms() {
+  return {number(kUnit, at_least(0)), numbers(kUnit, 3, 3, at_least(0))};
+}
+
 constexpr std::array<Key<Draft>, 4> kCalibrationKeys = {{
     {"place", Need::optional,
      "standard deviation of where it stands, one or along each of its axes",
+     either(deviation_forms<kMetres>),
      [](Reader& r, const Place& p, Draft& d) {
        read_deviations(r, p, false, d.calibration.place);
      },
      [](const Draft& d) { return deviations_node(d.calibration.place); }},
     {"orientation", Need::optional,
      "of how it is turned, one or about each of its axes",
+     either(deviation_forms<kRadians>),
      [](Reader& r, const Place& p, Draft& d) {
        read_deviations(r, p, true, d.calibration.orientation);
      },
      [](const Draft& d) { return deviations_node(d.calibration.orientation); }},
     {"offset", Need::optional, "of what each of its readings is off by, all the time",
+     number(nullptr, at_least(0)),
      [](Reader& r, const Place& p, Draft& d) { read_offset(r, p, d.calibration); },
      [](const Draft& d) -> Written {
        if (d.calibration.offset == 0) return std::nullopt;
        return to_node(d.calibration.offset);
      }},
-    {"params", Need::optional, "of its own parameters, by their names",
+    {"params", Need::optional, "of its own parameters, by their names", parameters(),
      [](Reader& r, const Place& p, Draft& d) {
        read_known_params(r, p, d.info, d.calibration);
      },
@@ -156,6 +167,8 @@ std::string untold(const std::string& key, const DeviceEntry& entry,
 }
 
 }  // namespace
+
+std::vector<KeyShape> calibration_keys() { return keys_of<kCalibrationKeys>(); }
 
 void read_calibration(Reader& reader, const Place& at, DeviceEntry& out) {
   Draft draft;

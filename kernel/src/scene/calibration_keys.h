@@ -18,4 +18,6 @@ void check_calibration(Reader& reader, const Place& at, const DeviceEntry& entry
 /// The scene's fusion and motion must leave constant errors a meaning.
 void check_calibrations(Reader& reader, const Place& root, const Scene& scene);
 
+[[nodiscard]] std::vector<KeyShape> calibration_keys();
+
 }  // namespace delos

@@ -1,7 +1,6 @@
 #include "scene/clock_keys.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "delos/scene/definition.h"
 #include "document/node_text.h"
@@ -9,32 +8,21 @@
 namespace delos {
 namespace {
 
-using Written = std::optional<Node>;
+using namespace shapes;
 
 constexpr std::array<Key<ClockEntry>, 2> kClockKeys = {{
-    {"density", Need::required,
-     "spectral density of the noise that drives it, squared readings per second",
-     [](Reader& r, const Place& p, ClockEntry& c) {
-       const auto density = r.number(p, "m^2/s");
-       if (!density) return;
-       if (*density < 0) r.error(p, "must not be below 0");
-       c.density = *density;
-     },
-     [](const ClockEntry& c) -> Written { return to_node(c.density); }},
-    {"time_constant", Need::optional, "in which it forgets; default: a random walk",
-     [](Reader& r, const Place& p, ClockEntry& c) {
-       const auto time = r.number(p, "s");
-       if (!time) return;
-       if (!(*time > 0)) r.error(p, "must be above 0");
-       c.time_constant = *time;
-     },
-     [](const ClockEntry& c) -> Written {
-       if (std::isinf(c.time_constant)) return std::nullopt;
-       return to_node(c.time_constant);
-     }},
+    member_key<&ClockEntry::density>(
+        "density", Need::required,
+        "spectral density of the noise that drives it, squared readings per second",
+        number("m^2/s", at_least(0))),
+    other_key<&ClockEntry::time_constant>("time_constant", Need::optional,
+                                          "in which it forgets; default: a random walk",
+                                          number("s", above(0))),
 }};
 
 }  // namespace
+
+Shape clock_shape() { return map<kClockKeys>(); }
 
 void read_clocks(Reader& reader, const Place& at, std::vector<ClockEntry>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to how they drift"))

@@ -16,4 +16,6 @@ void check_clocks(Reader& reader, const Place& root, const Scene& scene);
 
 [[nodiscard]] Node write_clocks(const std::vector<ClockEntry>& clocks);
 
+[[nodiscard]] Shape clock_shape();
+
 }  // namespace delos

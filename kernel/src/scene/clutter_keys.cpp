@@ -1,7 +1,5 @@
 #include "scene/clutter_keys.h"
 
-#include <limits>
-
 #include "document/node_text.h"
 #include "scene/body_keys.h"
 #include "scene/words.h"
@@ -9,6 +7,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// More would take memory that nobody means to spend.
@@ -37,18 +36,12 @@ void read_size(Reader& reader, const Place& at, ClutterEntry& out) {
 }
 
 constexpr std::array<Key<ClutterEntry>, 5> kClutterKeys = {{
-    {"count", Need::required, "how many bodies are drawn",
-     [](Reader& r, const Place& p, ClutterEntry& c) {
-       if (const auto count = r.integer(p, 0, kMostBodies)) c.count = *count;
-     },
-     [](const ClutterEntry& c) -> Written { return to_node(c.count); }},
-    {"seed", Need::optional, "of the random numbers: another one, another clutter",
-     [](Reader& r, const Place& p, ClutterEntry& c) {
-       if (const auto seed = r.integer(p, 0, std::numeric_limits<int>::max()))
-         c.seed = *seed;
-     },
-     [](const ClutterEntry& c) -> Written { return to_node(c.seed); }},
-    {"shape", Need::optional, "box or sphere",
+    member_key<&ClutterEntry::count>(
+        "count", Need::required, "how many bodies are drawn", integer(0, kMostBodies)),
+    member_key<&ClutterEntry::seed>(
+        "seed", Need::optional, "of the random numbers: another one, another clutter",
+        integer(0)),
+    {"shape", Need::optional, "box or sphere", choice<kClutterShapeWords>(),
      [](Reader& r, const Place& p, ClutterEntry& c) {
        if (const auto shape = r.choice(p, kClutterShapeWords)) c.shape = *shape;
      },
@@ -56,11 +49,12 @@ constexpr std::array<Key<ClutterEntry>, 5> kClutterKeys = {{
        return to_node(std::string(word_of(kClutterShapeWords, c.shape)));
      }},
     {"size", Need::required, "edges of boxes, or diameters, [least, greatest], metres",
-     read_size,
+     numbers("m", 2, 2, above(0)), read_size,
      [](const ClutterEntry& c) -> Written {
        return to_node(std::vector<Node>{to_node(c.least), to_node(c.greatest)});
      }},
     {"box", Need::required, "where their centres are: its corners min and max",
+     map(box_keys),
      [](Reader& r, const Place& p, ClutterEntry& c) {
        if (const auto box = read_box(r, p)) c.box = *box;
      },
@@ -68,6 +62,8 @@ constexpr std::array<Key<ClutterEntry>, 5> kClutterKeys = {{
 }};
 
 }  // namespace
+
+Shape clutter_shape() { return map<kClutterKeys>(); }
 
 void read_clutter(Reader& reader, const Place& at, std::vector<ClutterEntry>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to what is drawn"))

@@ -12,4 +12,6 @@ void read_clutter(Reader& reader, const Place& at, std::vector<ClutterEntry>& ou
 
 [[nodiscard]] Node write_clutter(const std::vector<ClutterEntry>& clutter);
 
+[[nodiscard]] Shape clutter_shape();
+
 }  // namespace delos

@@ -11,6 +11,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// A constraint while it is read: the keys that kinds share stand beside them.
@@ -34,12 +35,6 @@ void read_region(Reader& reader, const Place& at, ConstraintDraft& out, bool out
                          (known.empty() ? "; the scene declares none"
                                         : suggestion(*name, known)));
   out.entry.what = KeepInside{{}, *name, outside, 0};
-}
-
-std::optional<double> positive(Reader& reader, const Place& at, const char* unit) {
-  const auto value = reader.number(at, unit);
-  if (value && !(*value > 0)) reader.error(at, "must be above 0");
-  return value;
 }
 
 void read_clear(Reader& reader, const Place& at, ConstraintDraft& out) {
@@ -103,32 +98,36 @@ Written write_devices(const ConstraintDraft& d) {
       d.entry.what);
 }
 
+constexpr Bounds kTilt = {
+    .least = 0, .greatest = std::numbers::pi, .above = true, .below = true};
+
 // What a kind needs to know of the others is read first.
 constexpr std::array<Key<ConstraintDraft>, 16> kConstraintKeys = {{
-    {"name", Need::optional, "what messages call it",
+    {"name", Need::optional, "what messages call it", name(),
      [](Reader& r, const Place& p, ConstraintDraft& d) {
        if (auto name = r.name(p)) d.entry.name = std::move(*name);
      },
      [](const ConstraintDraft& d) -> Written { return to_node(d.entry.name); }},
-    {"inside", Need::optional, "a region that devices stay in",
+    {"inside", Need::optional, "a region that devices stay in", text(),
      [](Reader& r, const Place& p, ConstraintDraft& d) { read_region(r, p, d, false); },
      [](const ConstraintDraft& d) { return write_region(d, false); }},
-    {"outside", Need::optional, "a region that devices keep away from",
+    {"outside", Need::optional, "a region that devices keep away from", text(),
      [](Reader& r, const Place& p, ConstraintDraft& d) { read_region(r, p, d, true); },
      [](const ConstraintDraft& d) { return write_region(d, true); }},
     {"spacing", Need::optional, "the least distance of any two devices, metres",
+     number("m", above(0)),
      [](Reader& r, const Place& p, ConstraintDraft& d) {
-       d.entry.what = KeepApart{{}, positive(r, p, "m").value_or(0)};
+       d.entry.what = KeepApart{{}, r.number(p).value_or(0)};
      },
      [](const ConstraintDraft& d) -> Written {
        if (const auto* apart = as<KeepApart>(d)) return to_node(apart->distance);
        return std::nullopt;
      }},
     {"tilt", Need::optional, "the greatest angle of devices' z axes from a direction",
+     number("rad", kTilt),
      [](Reader& r, const Place& p, ConstraintDraft& d) {
        KeepTilt tilt;
-       tilt.angle = positive(r, p, "rad").value_or(0);
-       if (tilt.angle >= std::numbers::pi) r.error(p, "must be below 180 deg");
+       tilt.angle = r.number(p).value_or(0);
        d.entry.what = tilt;
      },
      [](const ConstraintDraft& d) -> Written {
@@ -136,14 +135,14 @@ constexpr std::array<Key<ConstraintDraft>, 16> kConstraintKeys = {{
        return std::nullopt;
      }},
     {"clear", Need::optional, "a line [[x, y, z], [x, y, z]] that devices keep off",
-     read_clear,
+     list([] { return vector("m"); }, 2, 2), read_clear,
      [](const ConstraintDraft& d) -> Written {
        const auto* clear = as<KeepClear>(d);
        if (!clear) return std::nullopt;
        return to_node(std::vector<Eigen::Vector3d>{clear->from, clear->to});
      }},
     {"sum", Need::optional, "factors of numbers, by path, whose sum is limited",
-     read_sum,
+     table([] { return number("1"); }), read_sum,
      [](const ConstraintDraft& d) -> Written {
        const auto* sum = as<KeepSum>(d);
        if (!sum) return std::nullopt;
@@ -155,32 +154,34 @@ constexpr std::array<Key<ConstraintDraft>, 16> kConstraintKeys = {{
        }
        return map;
      }},
-    {"metric", Need::optional, "a metric that is limited at every sample", read_metric,
+    {"metric", Need::optional, "a metric that is limited at every sample", text(),
+     read_metric,
      [](const ConstraintDraft& d) -> Written {
        if (const auto* metric = as<KeepMetric>(d)) return to_node(metric->metric);
        return std::nullopt;
      }},
     {"devices", Need::optional, "the devices that it is about; * is any part of a name",
+     names(),
      [](Reader& r, const Place& p, ConstraintDraft& d) {
        d.devices = read_device_names(r, p, *d.scene);
      },
      write_devices},
     {"margin", Need::optional,
-     "of inside and outside: how far from the surface, metres",
-     [](Reader& r, const Place& p, ConstraintDraft& d) { d.margin = r.number(p, "m"); },
+     "of inside and outside: how far from the surface, metres", number("m"),
+     [](Reader& r, const Place& p, ConstraintDraft& d) { d.margin = r.number(p); },
      [](const ConstraintDraft& d) -> Written {
        if (const auto* inside = as<KeepInside>(d)) return to_node(inside->margin);
        return std::nullopt;
      }},
     {"distance", Need::optional, "of clear: how far devices keep off, metres",
-     [](Reader& r, const Place& p, ConstraintDraft& d) {
-       d.distance = positive(r, p, "m");
-     },
+     number("m", above(0)),
+     [](Reader& r, const Place& p, ConstraintDraft& d) { d.distance = r.number(p); },
      [](const ConstraintDraft& d) -> Written {
        if (const auto* clear = as<KeepClear>(d)) return to_node(clear->distance);
        return std::nullopt;
      }},
     {"from", Need::optional, "of tilt: the direction; default: down, [0, 0, -1]",
+     vector("1"),
      [](Reader& r, const Place& p, ConstraintDraft& d) {
        d.from = r.vector3(p, "1");
        if (d.from && d.from->isZero(0)) r.error(p, "is no direction");
@@ -189,24 +190,26 @@ constexpr std::array<Key<ConstraintDraft>, 16> kConstraintKeys = {{
        if (const auto* tilt = as<KeepTilt>(d)) return vector_node(tilt->from);
        return std::nullopt;
      }},
-    {"at_most", Need::optional, "of sum: the limit", read_limit,
+    {"at_most", Need::optional, "of sum: the limit", number(nullptr), read_limit,
      [](const ConstraintDraft& d) -> Written {
        if (const auto* sum = as<KeepSum>(d)) return to_node(sum->limit);
        return std::nullopt;
      }},
-    {"below", Need::optional, "of metric: the limit, where less is better", read_limit,
+    {"below", Need::optional, "of metric: the limit, where less is better",
+     number(nullptr), read_limit,
      [](const ConstraintDraft& d) -> Written {
        const auto* metric = as<KeepMetric>(d);
        if (!metric || d.kind == "above") return std::nullopt;
        return to_node(metric->limit);
      }},
-    {"above", Need::optional, "of metric: the limit, where more is better", read_limit,
+    {"above", Need::optional, "of metric: the limit, where more is better",
+     number(nullptr), read_limit,
      [](const ConstraintDraft& d) -> Written {
        const auto* metric = as<KeepMetric>(d);
        if (!metric || d.kind != "above") return std::nullopt;
        return to_node(metric->limit);
      }},
-    {"in", Need::optional, "of metric: a sample set; default: all samples",
+    {"in", Need::optional, "of metric: a sample set; default: all samples", text(),
      [](Reader& r, const Place& p, ConstraintDraft& d) {
        const auto name = r.word(p);
        if (!name) return;
@@ -314,6 +317,8 @@ void complete(ConstraintDraft& draft) {
 }
 
 }  // namespace
+
+Shape constraint_shape() { return map<kConstraintKeys>(); }
 
 std::vector<std::string> read_device_names(Reader& reader, const Place& at,
                                            const Scene& scene) {

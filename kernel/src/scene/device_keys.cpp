@@ -1,7 +1,6 @@
 #include "scene/device_keys.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <string_view>
 
@@ -18,31 +17,10 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr auto kGroupKeys = kPlacementKeys<Group>;
-
-void read_rate(Reader& reader, const Place& at, DeviceEntry& out) {
-  const auto rate = reader.number(at, "1/s");
-  if (!rate) return;
-  if (!(*rate > 0))
-    reader.error(at, "must be above 0; a device that is off is left out");
-  out.rate = *rate;
-}
-
-void read_phase(Reader& reader, const Place& at, DeviceEntry& out) {
-  const auto phase = reader.number(at, "s");
-  if (!phase) return;
-  if (*phase < 0) reader.error(at, "must not be below 0");
-  out.phase = *phase;
-}
-
-void read_exposure(Reader& reader, const Place& at, DeviceEntry& out) {
-  const auto exposure = reader.number(at, "s");
-  if (!exposure) return;
-  if (*exposure < 0) reader.error(at, "must not be below 0");
-  out.exposure = *exposure;
-}
 
 /// One name, or a list of them.
 void read_seen_beacons(Reader& reader, const Place& at, DeviceEntry& out) {
@@ -67,46 +45,46 @@ Written write_seen_beacons(const DeviceEntry& d) {
   return to_node(std::move(names));
 }
 
+/// One number on a rail, else a list.
+std::vector<Shape> coordinate_forms() {
+  return {number("1", between(0, 1)), numbers("1", 1, 2, between(0, 1))};
+}
+
 constexpr std::array<Key<DeviceEntry>, 22> kDeviceKeys = {{
-    {"name", Need::required, "a word of your own that messages and paths use",
-     [](Reader& r, const Place& p, DeviceEntry& d) {
-       if (auto name = r.name(p)) d.name = std::move(*name);
-     },
-     [](const DeviceEntry& d) -> Written { return to_node(d.name); }},
-    {"type", Need::required, "id of the plugin that models it",
+    member_key<&DeviceEntry::name>("name", Need::required,
+                                   "a word of your own that messages and paths use",
+                                   name()),
+    {"type", Need::required, "id of the plugin that models it", text(),
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto type = r.word(p)) d.type = std::move(*type);
        if (p.node().kind == Node::Kind::scalar && d.type.empty())
          r.error(p, "is empty; 'delos devices' lists the plugins");
      },
      [](const DeviceEntry& d) -> Written { return to_node(d.type); }},
-    {"rate", Need::optional, "updates a second, such as 50 Hz", read_rate,
+    {"rate", Need::optional, "updates a second, such as 50 Hz",
+     number("1/s", above(0, "; a device that is off is left out")),
+     MemberRow<&DeviceEntry::rate>::read,
      [](const DeviceEntry& d) -> Written {
        if (d.timing) return std::nullopt;
        return to_node(d.rate);
      }},
-    {"phase", Need::optional, "delay of the first update; periodic fusion reads it",
-     read_phase,
-     [](const DeviceEntry& d) -> Written {
-       if (d.phase == 0) return std::nullopt;
-       return to_node(d.phase);
-     }},
-    {"exposure", Need::optional,
-     "how long a reading takes, up to its update: it's the mean over that time",
-     read_exposure,
-     [](const DeviceEntry& d) -> Written {
-       if (d.exposure == 0) return std::nullopt;
-       return to_node(d.exposure);
-     }},
+    other_key<&DeviceEntry::phase>(
+        "phase", Need::optional, "delay of the first update; periodic fusion reads it",
+        number("s", at_least(0))),
+    other_key<&DeviceEntry::exposure>(
+        "exposure", Need::optional,
+        "how long a reading takes, up to its update: it's the mean over that time",
+        number("s", at_least(0))),
     {"timing", Need::optional,
-     "instead of a rate: what an update takes beside its exposure", read_timing,
-     write_timing},
+     "instead of a rate: what an update takes beside its exposure", map(timing_keys),
+     read_timing, write_timing},
     {"noise_over_time", Need::optional,
-     "how the noise falls with the exposure; default: constant", read_noise_over_time,
-     write_noise_over_time},
+     "how the noise falls with the exposure; default: constant",
+     map(noise_over_time_keys), read_noise_over_time, write_noise_over_time},
     {"mount", Need::optional,
      "world: it stands in the room and sees the target; target: it is carried and sees "
      "beacons",
+     choice<kMountWords>(),
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (const auto mount = r.choice(p, kMountWords)) d.mount = *mount;
      },
@@ -115,9 +93,10 @@ constexpr std::array<Key<DeviceEntry>, 22> kDeviceKeys = {{
        return to_node(word_of(kMountWords, d.mount));
      }},
     {"beacons", Need::optional, "the sets that a carried device sees; default: all",
-     read_seen_beacons, write_seen_beacons},
+     names(), read_seen_beacons, write_seen_beacons},
     {"select", Need::optional,
      "which sightings an update uses: all, mean, random, nearest or best",
+     choice<kSightingRuleWords>(),
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (const auto rule = r.choice(p, kSightingRuleWords)) d.select = *rule;
      },
@@ -125,55 +104,45 @@ constexpr std::array<Key<DeviceEntry>, 22> kDeviceKeys = {{
        if (d.mount == Mount::world) return std::nullopt;
        return to_node(word_of(kSightingRuleWords, d.select));
      }},
-    {"count", Need::optional, "how many sightings an update uses",
+    {"count", Need::optional, "how many sightings an update uses", integer(1),
      [](Reader& r, const Place& p, DeviceEntry& d) {
-       const auto n = r.integer(p, 1, std::numeric_limits<int>::max());
-       if (n) d.count = *n;
+       if (const auto n = r.integer(p)) d.count = *n;
      },
      [](const DeviceEntry& d) -> Written {
        if (d.mount == Mount::world || d.select == SightingRule::all)
          return std::nullopt;
        return to_node(d.count);
      }},
-    {"clock", Need::optional,
-     "its readings and those of all devices of this clock are off by one unknown "
-     "number",
-     [](Reader& r, const Place& p, DeviceEntry& d) {
-       if (auto clock = r.name(p)) d.clock = std::move(*clock);
-     },
-     [](const DeviceEntry& d) -> Written {
-       if (d.clock.empty()) return std::nullopt;
-       return to_node(d.clock);
-     }},
-    {"group", Need::optional, "the group that it is placed in; default: the world",
-     [](Reader& r, const Place& p, DeviceEntry& d) {
-       if (auto group = r.word(p)) d.group = std::move(*group);
-     },
-     [](const DeviceEntry& d) -> Written {
-       if (d.group.empty()) return std::nullopt;
-       return to_node(d.group);
-     }},
-    {"at", Need::optional, kAtKey<DeviceEntry>.help, kAtKey<DeviceEntry>.read,
+    other_key<&DeviceEntry::clock>(
+        "clock", Need::optional,
+        "its readings and those of all devices of this clock are off by one unknown "
+        "number",
+        name()),
+    other_key<&DeviceEntry::group>("group", Need::optional,
+                                   "the group that it is placed in; default: the world",
+                                   text()),
+    {"at", Need::optional, kAtKey<DeviceEntry>.help, kAtKey<DeviceEntry>.shape,
+     kAtKey<DeviceEntry>.read,
      [](const DeviceEntry& d) -> Written {
        if (d.mounting) return std::nullopt;
        return write_at(d.placement);
      }},
-    {"on", Need::optional, "the surface that it is mounted on, instead of `at`",
+    {"on", Need::optional, "the surface that it is mounted on, instead of `at`", text(),
      read_on, write_on},
     {"coordinates", Need::optional, "where on the surface, numbers from 0 to 1",
-     read_coordinates, write_coordinates},
+     either(coordinate_forms), read_coordinates, write_coordinates},
     kAimKey<DeviceEntry>,
     kRollKey<DeviceEntry>,
     kRpyKey<DeviceEntry>,
     kQuaternionKey<DeviceEntry>,
-    {"params", Need::optional, "the plugin's own parameters", nullptr,
+    {"params", Need::optional, "the plugin's own parameters", parameters(), nullptr,
      [](const DeviceEntry& d) -> Written {
        if (d.params.all().empty()) return std::nullopt;
        return write_params(d.params);
      }},
     {"calibration", Need::optional,
-     "how well it is known: standard deviations of constant errors", read_calibration,
-     write_calibration},
+     "how well it is known: standard deviations of constant errors",
+     map(calibration_keys), read_calibration, write_calibration},
 }};
 
 void check_group(Reader& reader, const Place& at, const DeviceEntry& device,
@@ -360,6 +329,11 @@ void read_device(Reader& reader, const Place& at, Around& around, DeviceEntry& o
 }
 
 }  // namespace
+
+Shape group_shape() {
+  return either([] { return std::vector{map<kGroupKeys>(), nothing()}; });
+}
+Shape device_shape() { return map<kDeviceKeys>(); }
 
 void read_groups(Reader& reader, const Place& at, std::vector<Group>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to poses")) return;

@@ -25,4 +25,7 @@ void read_devices(Reader& reader, const Place& at, const Known& known, Scene& sc
 [[nodiscard]] Node write_groups(const std::vector<Group>& groups);
 [[nodiscard]] Node write_devices(const std::vector<DeviceEntry>& devices);
 
+[[nodiscard]] Shape group_shape();
+[[nodiscard]] Shape device_shape();
+
 }  // namespace delos

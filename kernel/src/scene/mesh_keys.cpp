@@ -80,12 +80,7 @@ void read_mesh_file(Reader& reader, const Place& at, MeshShape& out) {
 }
 
 void read_scale(Reader& reader, const Place& at, MeshShape& out) {
-  const auto scale = reader.number(at, "1");
-  if (!scale) return;
-  if (*scale > 0)
-    out.scale = *scale;
-  else
-    reader.error(at, "must be above 0: it is metres per unit of the file");
+  if (const auto scale = reader.number(at)) out.scale = *scale;
 }
 
 void check_mesh_size(Reader& reader, const Place& at, const MeshShape& shape) {

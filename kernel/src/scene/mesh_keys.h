@@ -26,6 +26,10 @@ void check_mesh_room(Reader& reader, const Place& at, const MeshShape& shape);
 /// The same for a mesh that is of no use without an inside: an open one is an error.
 void check_mesh_contains(Reader& reader, const Place& at, const MeshShape& shape);
 
+/// Of the key that tells it.
+inline constexpr Shape kScaleShape =
+    shapes::number("1", above(0, ": it is metres per unit of the file"));
+
 /// nullopt where it is 1.
 [[nodiscard]] std::optional<Node> write_scale(const MeshShape& shape);
 

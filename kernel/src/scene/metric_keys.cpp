@@ -9,32 +9,26 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::pair<const char*, bool> kBetterWords[] = {{"less", false},
                                                          {"more", true}};
 
 constexpr std::array<Key<MetricEntry>, 3> kMetricKeys = {{
-    {"expression", Need::required, "a formula of metrics, P[x, y] and x, y, z",
-     [](Reader& r, const Place& p, MetricEntry& m) {
-       if (auto text = r.word(p)) m.expression = std::move(*text);
-     },
-     [](const MetricEntry& m) -> Written { return to_node(m.expression); }},
-    {"better", Need::optional, "which is better: less or more",
+    member_key<&MetricEntry::expression>("expression", Need::required,
+                                         "a formula of metrics, P[x, y] and x, y, z",
+                                         text()),
+    {"better", Need::optional, "which is better: less or more", choice<kBetterWords>(),
      [](Reader& r, const Place& p, MetricEntry& m) {
        if (const auto more = r.choice(p, kBetterWords)) m.larger_is_better = *more;
      },
      [](const MetricEntry& m) -> Written {
        return to_node(std::string(m.larger_is_better ? "more" : "less"));
      }},
-    {"unit", Need::optional, "of its numbers, where the formula leaves it open",
-     [](Reader& r, const Place& p, MetricEntry& m) {
-       if (auto unit = r.word(p)) m.unit = std::move(*unit);
-     },
-     [](const MetricEntry& m) -> Written {
-       if (m.unit.empty()) return std::nullopt;
-       return to_node(m.unit);
-     }},
+    other_key<&MetricEntry::unit>("unit", Need::optional,
+                                  "of its numbers, where the formula leaves it open",
+                                  text()),
 }};
 
 /// Formulas and specifications must be able to say it, and to mean nothing else.
@@ -62,6 +56,8 @@ void report(Reader& reader, const Place& metric, const ExpressionProblem& proble
 }
 
 }  // namespace
+
+Shape metric_shape() { return map<kMetricKeys>(); }
 
 bool read_metrics(Reader& reader, const Place& at, bool states_known, Scene& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to formulas"))

@@ -15,4 +15,6 @@ bool read_metrics(Reader& reader, const Place& at, bool states_known, Scene& out
 
 [[nodiscard]] Node write_metrics(const std::vector<MetricEntry>& metrics);
 
+[[nodiscard]] Shape metric_shape();
+
 }  // namespace delos

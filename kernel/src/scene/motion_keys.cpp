@@ -13,6 +13,8 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
+
 /// Types of motion: the order of a chain, or what A and Q are of.
 constexpr int kOneUpdate = 0, kContinuous = -1;
 constexpr std::pair<const char*, int> kMotionWords[] = {
@@ -116,10 +118,14 @@ void read_square(Reader& reader, const Place& at, std::optional<Eigen::MatrixXd>
     out = std::move(m);
 }
 
-constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
+/// One number a coordinate, or a symmetric matrix.
+std::vector<Shape> q_forms() { return {numbers(nullptr, 1), matrix(nullptr)}; }
+
+constexpr std::array<Key<MotionDraft>, 12> kMotionKeys = {{
     {"type", Need::required,
      "position, position_velocity, position_velocity_acceleration, custom or "
      "continuous",
+     choice<kMotionWords>(),
      [](Reader& r, const Place& p, MotionDraft& d) {
        d.type = r.choice(p, kMotionWords);
        if (d.is_chain()) d.layout.order = *d.type;
@@ -129,6 +135,7 @@ constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
      }},
     {"state", Need::optional,
      "what is estimated: position, orientation, pose, planar, planar_pose or none",
+     choice<kPoseStateWords>(),
      [](Reader& r, const Place& p, MotionDraft& d) {
        if (const auto pose = r.choice(p, kPoseStateWords)) d.layout.pose = *pose;
      },
@@ -136,9 +143,9 @@ constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
        return to_node(word_of(kPoseStateWords, d.layout.pose));
      }},
     {"order", Need::optional,
-     "custom and continuous: blocks of coordinates, 1 to 3; default 1",
+     "custom and continuous: blocks of coordinates, 1 to 3; default 1", integer(1, 3),
      [](Reader& r, const Place& p, MotionDraft& d) {
-       const auto order = r.integer(p, 1, 3);
+       const auto order = r.integer(p);
        if (order && !d.is_chain()) d.layout.order = *order;
      },
      [](const MotionDraft& d) -> std::optional<Node> {
@@ -146,7 +153,8 @@ constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
        return to_node(d.layout.order);
      }},
     {"names", Need::optional,
-     "custom and continuous: names of the states behind the blocks", read_names,
+     "custom and continuous: names of the states behind the blocks",
+     list([] { return name(); }), read_names,
      [](const MotionDraft& d) -> std::optional<Node> {
        if (d.layout.extra.empty()) return std::nullopt;
        std::vector<Node> names;
@@ -156,14 +164,14 @@ constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
     {"q", Need::optional,
      "spectral density of the driving noise: one number a coordinate, or a symmetric "
      "matrix",
-     read_q,
+     either(q_forms), read_q,
      [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.q) return std::nullopt;
        if (d.q->isDiagonal(0)) return vector_node(d.q->diagonal());
        return matrix_node(*d.q);
      }},
     {"A", Need::optional,
-     "custom: transition of one update; continuous: drift; n×n, SI",
+     "custom: transition of one update; continuous: drift; n×n, SI", matrix("1"),
      [](Reader& r, const Place& p, MotionDraft& d) { read_square(r, p, d.A); },
      [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.A) return std::nullopt;
@@ -171,18 +179,24 @@ constexpr std::array<Key<MotionDraft>, 12> kKeys = {{
      }},
     {"Q", Need::optional,
      "custom: process noise of one update; continuous: its spectral density; n×n, SI",
+     matrix("1"),
      [](Reader& r, const Place& p, MotionDraft& d) { read_square(r, p, d.Q); },
      [](const MotionDraft& d) -> std::optional<Node> {
        if (!d.Q) return std::nullopt;
        return matrix_node(*d.Q);
      }},
     // Read together, by q_of_words().
-    {"speed", Need::optional, "in words: how fast it moves, m/s"},
-    {"acceleration", Need::optional, "in words: likewise of an accelerated one, m/s²"},
-    {"vertical", Need::optional, "in words: root mean square of that along z"},
-    {"changes_within", Need::optional, "in words: the time in which that is forgotten"},
+    {"speed", Need::optional, "in words: how fast it moves, m/s",
+     number("m/s", above(0))},
+    {"acceleration", Need::optional, "in words: likewise of an accelerated one, m/s²",
+     number("m/s^2", above(0))},
+    {"vertical", Need::optional, "in words: root mean square of that along z",
+     number(nullptr, above(0))},
+    {"changes_within", Need::optional, "in words: the time in which that is forgotten",
+     number("s", above(0))},
     // Read alone, by read_named_motion().
-    {"named", Need::optional, "a motion of the library, instead of all the rest"},
+    {"named", Need::optional, "a motion of the library, instead of all the rest",
+     choice_of(motion_names)},
 }};
 
 /// Say which keys belong to the other kind of motion, and which are missing.
@@ -287,10 +301,18 @@ void finish_custom(Reader& reader, const Place& at, MotionDraft& draft,
 
 }  // namespace
 
+// A named motion says all, so that no key is required of every motion.
+std::vector<KeyShape> motion_keys() {
+  std::vector<KeyShape> keys = keys_of<kMotionKeys>();
+  for (KeyShape& key : keys) key.required = false;
+  return keys;
+}
+Shape motion_shape() { return map(motion_keys); }
+
 void read_motion(Reader& reader, const Place& at, MotionModel& out) {
   if (at.node().find("named")) return read_named_motion(reader, at, out);
   MotionDraft draft;
-  if (!read_map(reader, at, kKeys, draft) || !draft.type) return;
+  if (!read_map(reader, at, kMotionKeys, draft) || !draft.type) return;
   check_keys(reader, at, draft);
   check_pose(reader, at, draft);
   if (!draft.is_chain()) {
@@ -342,7 +364,7 @@ Node write_motion(const MotionModel& motion) {
   } else {
     of_matrices(kContinuous, std::get<ContinuousMotion>(motion.dynamics));
   }
-  return write_map(kKeys, draft);
+  return write_map(kMotionKeys, draft);
 }
 
 }  // namespace delos

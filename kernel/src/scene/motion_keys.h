@@ -16,4 +16,7 @@ void read_motion(Reader& reader, const Place& at, MotionModel& out);
 void read_motions(Reader& reader, const Place& at, std::vector<MotionEntry>& out);
 [[nodiscard]] Node write_motions(const std::vector<MotionEntry>& motions);
 
+[[nodiscard]] std::vector<KeyShape> motion_keys();
+[[nodiscard]] Shape motion_shape();
+
 }  // namespace delos

@@ -6,6 +6,12 @@
 
 namespace delos {
 
+std::vector<const char*> motion_names() {
+  std::vector<const char*> names;
+  for (const NamedMotion& motion : named_motions()) names.push_back(motion.name);
+  return names;
+}
+
 void read_named_motion(Reader& reader, const Place& at, MotionModel& out) {
   const Node& node = at.node();
   for (std::size_t i = 0; i < node.keys.size(); ++i)

@@ -21,4 +21,7 @@ void read_named_motion(Reader& reader, const Place& at, MotionModel& out);
                                                          const Place& at,
                                                          const StateLayout& layout);
 
+/// The names of the library.
+[[nodiscard]] std::vector<const char*> motion_names();
+
 }  // namespace delos

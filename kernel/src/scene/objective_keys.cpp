@@ -9,6 +9,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::pair<const char*, Reduction> kReductionWords[] = {
@@ -48,20 +49,13 @@ void read_metric(Reader& reader, const Place& at, TermDraft& out) {
     out.term.metric = *std::move(name);
 }
 
-/// A number within (least, greatest), or [least, … where `inclusive`.
-void read_between(Reader& reader, const Place& at, double least, bool inclusive,
-                  double greatest, double& out) {
-  const auto value = reader.number(at, "1");
-  if (!value) return;
-  if (*value < least || (!inclusive && *value == least) || !(*value < greatest))
-    reader.error(at, at.node().text + " is out of range");
-  out = *value;
-}
-
 void read_limit(Reader& reader, const Place& at, TermDraft& out) {
   if (const auto value = reader.number(at, metric_of(out).unit))
     out.term.limit = *value;
 }
+
+/// More says no more than this does.
+constexpr Bounds kWeight = {.least = 0, .greatest = 1e12, .above = true};
 
 struct SetDraft {
   const Scene* scene = nullptr;
@@ -83,14 +77,15 @@ void read_set_name(Reader& reader, const Place& at, const Scene& scene,
 }
 
 constexpr std::array<Key<SetDraft>, 2> kSetKeys = {{
-    {"set", Need::required, "name of a sample set",
+    {"set", Need::required, "name of a sample set", text(),
      [](Reader& r, const Place& p, SetDraft& d) {
        read_set_name(r, p, *d.scene, d.set.name);
      },
      [](const SetDraft& d) -> Written { return to_node(d.set.name); }},
     {"weight", Need::optional, "how much each of its samples counts",
+     number("1", kWeight),
      [](Reader& r, const Place& p, SetDraft& d) {
-       read_between(r, p, 0, false, 1e12, d.set.weight);
+       if (const auto v = r.number(p)) d.set.weight = *v;
      },
      [](const SetDraft& d) -> Written { return to_node(d.set.weight); }},
 }};
@@ -114,43 +109,53 @@ Written write_reduction(const TermDraft& d, bool maximize) {
   return to_node(word_of(kReductionWords, d.term.reduction));
 }
 
+Shape set_shape() {
+  return either([] { return std::vector{text(), map<kSetKeys>()}; });
+}
+std::vector<Shape> over_forms() { return {set_shape(), list(set_shape)}; }
+
 constexpr std::array<Key<TermDraft>, 9> kTermKeys = {{
     {"minimize", Need::optional,
      "mean, p_norm, soft_max, maximum, percentile, cvar or fraction",
+     choice<kReductionWords>(),
      [](Reader& r, const Place& p, TermDraft& d) { read_reduction(r, p, d, false); },
      [](const TermDraft& d) { return write_reduction(d, false); }},
     {"maximize", Need::optional, "the same, of a metric of which more is better",
+     choice<kReductionWords>(),
      [](Reader& r, const Place& p, TermDraft& d) { read_reduction(r, p, d, true); },
      [](const TermDraft& d) { return write_reduction(d, true); }},
-    {"of", Need::optional, "the metric; default: the scene's", read_metric,
+    {"of", Need::optional, "the metric; default: the scene's", text(), read_metric,
      [](const TermDraft& d) -> Written {
        if (d.term.metric.empty()) return std::nullopt;
        return to_node(d.term.metric);
      }},
-    {"weight", Need::optional, "of this term in the sum",
+    {"weight", Need::optional, "of this term in the sum", number("1", kWeight),
      [](Reader& r, const Place& p, TermDraft& d) {
-       read_between(r, p, 0, false, 1e12, d.term.weight);
+       if (const auto v = r.number(p)) d.term.weight = *v;
      },
      [](const TermDraft& d) -> Written { return to_node(d.term.weight); }},
-    {"p", Need::optional, "power of p_norm, at least 1",
+    {"p", Need::optional, "power of p_norm, at least 1", number("1", between(1, 1e3)),
      [](Reader& r, const Place& p, TermDraft& d) {
-       read_between(r, p, 1, true, 1e3, d.term.power);
+       if (const auto v = r.number(p)) d.term.power = *v;
      },
      [](const TermDraft& d) -> Written { return to_node(d.term.power); }},
     {"sharpness", Need::optional, "of soft_max, above 0",
+     number("1", {.least = 0, .greatest = 1e4, .above = true}),
      [](Reader& r, const Place& p, TermDraft& d) {
-       read_between(r, p, 0, false, 1e4, d.term.sharpness);
+       if (const auto v = r.number(p)) d.term.sharpness = *v;
      },
      [](const TermDraft& d) -> Written { return to_node(d.term.sharpness); }},
     {"level", Need::optional, "of percentile and cvar, between 0 and 1",
+     number("1", {.least = 0, .greatest = 1, .above = true, .below = true}),
      [](Reader& r, const Place& p, TermDraft& d) {
-       read_between(r, p, 0, false, 1, d.term.level);
+       if (const auto v = r.number(p)) d.term.level = *v;
      },
      [](const TermDraft& d) -> Written { return to_node(d.term.level); }},
-    {"limit", Need::optional, "of fraction: what a sample should keep to", read_limit,
+    {"limit", Need::optional, "of fraction: what a sample should keep to",
+     number(nullptr), read_limit,
      [](const TermDraft& d) -> Written { return to_node(d.term.limit); }},
     {"over", Need::optional, "sample sets that count, with weights; default: all alike",
-     read_over,
+     either(over_forms), read_over,
      [](const TermDraft& d) -> Written {
        if (d.term.over.empty()) return std::nullopt;
        std::vector<Node> list;
@@ -212,7 +217,7 @@ void read_terms(Reader& reader, const Place& at, ObjectiveDraft& out) {
 
 constexpr std::array<Key<ObjectiveDraft>, 3> kObjectiveKeys = {{
     {"terms", Need::optional, "a list of terms, whose weighted sum is made small",
-     read_terms,
+     list([] { return map<kTermKeys>(); }), read_terms,
      [](const ObjectiveDraft& d) -> Written {
        if (d.objective.terms.empty()) return std::nullopt;
        std::vector<Node> list;
@@ -222,23 +227,35 @@ constexpr std::array<Key<ObjectiveDraft>, 3> kObjectiveKeys = {{
      }},
     {"guess", Need::optional,
      "how good a guess stands in for what no device sees, metres and radians",
+     number("m", above(0)),
      [](Reader& r, const Place& p, ObjectiveDraft& d) {
-       const auto guess = r.number(p, "m");
-       if (guess && !(*guess > 0)) r.error(p, "must be above 0");
-       if (guess) d.objective.guess = *guess;
+       if (const auto guess = r.number(p)) d.objective.guess = *guess;
      },
      [](const ObjectiveDraft& d) -> Written {
        if (d.objective.guess == 0) return std::nullopt;
        return to_node(d.objective.guess);
      }},
     {"robust", Need::optional, "failures and deviations that are withstood",
+     map(robust_keys),
      [](Reader& r, const Place& p, ObjectiveDraft& d) {
        read_robust(r, p, *d.scene, d.objective.robust);
      },
      [](const ObjectiveDraft& d) { return write_robust(d.objective.robust); }},
 }};
 
+/// The keys of the only term stand beside `guess` and `robust`.
+std::vector<KeyShape> single_term_keys() {
+  std::vector<KeyShape> keys = keys_of<kTermKeys>();
+  for (const KeyShape& key : keys_of<kObjectiveKeys>())
+    if (std::string_view(key.name) != "terms") keys.push_back(key);
+  return keys;
+}
+
 }  // namespace
+
+std::vector<Shape> objective_forms() {
+  return {map(single_term_keys), map<kObjectiveKeys>()};
+}
 
 std::optional<std::string> read_metric_name(Reader& reader, const Place& at,
                                             const Scene& scene) {
@@ -256,7 +273,6 @@ void read_objective(Reader& reader, const Place& at, Scene& scene) {
   ObjectiveDraft draft{&scene, {}};
   const Node& node = at.node();
   if (node.kind == Node::Kind::map && !node.find("terms")) {
-    // The keys of the only term stand beside `guess` and `robust`.
     Node term = node, rest = node;
     term.keys.clear();
     term.items.clear();

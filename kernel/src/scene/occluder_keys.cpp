@@ -11,21 +11,18 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::array<Key<OccluderEntry>, 1> kNameKey = {{
-    {"name", Need::optional, "a word of your own that messages and paths use",
-     [](Reader& r, const Place& p, OccluderEntry& o) {
-       if (auto name = r.name(p)) o.name = std::move(*name);
-     },
-     [](const OccluderEntry& o) -> Written {
-       if (o.name.empty()) return std::nullopt;
-       return to_node(o.name);
-     }},
+    other_key<&OccluderEntry::name>("name", Need::optional,
+                                    "a word of your own that messages and paths use",
+                                    name()),
 }};
 
 constexpr std::array<Key<OccluderEntry>, 1> kMountKey = {{
     {"mount", Need::optional, "what it is fixed to: world or target",
+     choice<kMountWords>(),
      [](Reader& r, const Place& p, OccluderEntry& o) {
        if (const auto mount = r.choice(p, kMountWords)) o.mount = *mount;
      },
@@ -37,6 +34,7 @@ constexpr std::array<Key<OccluderEntry>, 1> kMountKey = {{
 
 constexpr std::array<Key<OccluderEntry>, 1> kRoomKey = {{
     {"room", Need::optional, "true: its inside is free and its walls hide",
+     choice<kTruthWords>(),
      [](Reader& r, const Place& p, OccluderEntry& o) {
        if (const auto room = r.choice(p, kTruthWords)) o.room = *room;
      },
@@ -54,6 +52,9 @@ constexpr auto kRegionKeys =
     concat(kBodyKeys<RegionEntry>, kPlacementKeys<RegionEntry>);
 
 }  // namespace
+
+Shape occluder_shape() { return map<kOccluderKeys>(); }
+Shape region_shape() { return map<kRegionKeys>(); }
 
 void read_occluders(Reader& reader, const Place& at, std::vector<OccluderEntry>& out) {
   if (!reader.expect(at, Node::Kind::list, "a list of bodies")) return;

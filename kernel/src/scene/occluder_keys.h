@@ -14,4 +14,7 @@ void read_regions(Reader& reader, const Place& at, std::vector<RegionEntry>& out
 [[nodiscard]] Node write_occluders(const std::vector<OccluderEntry>& occluders);
 [[nodiscard]] Node write_regions(const std::vector<RegionEntry>& regions);
 
+[[nodiscard]] Shape occluder_shape();
+[[nodiscard]] Shape region_shape();
+
 }  // namespace delos

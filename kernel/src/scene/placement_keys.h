@@ -31,28 +31,42 @@ void check_facing(Reader& reader, const Place& at, const Placement& placement,
 // T is anything with a Placement called placement.
 template <class T>
 inline constexpr Key<T> kAtKey = {
-    "at", Need::optional, "position [x, y, z], metres, in its group or the world",
+    "at",
+    Need::optional,
+    "position [x, y, z], metres, in its group or the world",
+    shapes::vector("m"),
     [](Reader& r, const Place& p, T& t) { read_at(r, p, t.placement); },
     [](const T& t) { return write_at(t.placement); }};
 template <class T>
 inline constexpr Key<T> kAimKey = {
-    "aim", Need::optional, "point that the z axis looks at, in the frame of `at`",
+    "aim",
+    Need::optional,
+    "point that the z axis looks at, in the frame of `at`",
+    shapes::vector("m"),
     [](Reader& r, const Place& p, T& t) { read_aim(r, p, t.placement); },
     [](const T& t) { return write_aim(t.placement); }};
 template <class T>
 inline constexpr Key<T> kRollKey = {
-    "roll", Need::optional, "a turn about the z axis, of what is aimed",
+    "roll",
+    Need::optional,
+    "a turn about the z axis, of what is aimed",
+    shapes::number("rad"),
     [](Reader& r, const Place& p, T& t) { read_roll(r, p, t.placement); },
     [](const T& t) { return write_roll(t.placement); }};
 template <class T>
 inline constexpr Key<T> kRpyKey = {
-    "rpy", Need::optional, "orientation as [roll, pitch, yaw], Rz·Ry·Rx",
+    "rpy",
+    Need::optional,
+    "orientation as [roll, pitch, yaw], Rz·Ry·Rx",
+    shapes::vector("rad"),
     [](Reader& r, const Place& p, T& t) { read_rpy(r, p, t.placement); },
     [](const T& t) { return write_rpy(t.placement); }};
 template <class T>
 inline constexpr Key<T> kQuaternionKey = {
-    "quaternion_wxyz", Need::optional,
+    "quaternion_wxyz",
+    Need::optional,
     "orientation as [w, x, y, z], of any length but 0",
+    shapes::numbers("1", 4, 4),
     [](Reader& r, const Place& p, T& t) { read_quaternion(r, p, t.placement); },
     [](const T& t) { return write_quaternion(t.placement); }};
 template <class T>

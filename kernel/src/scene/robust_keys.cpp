@@ -1,5 +1,3 @@
-#include <limits>
-
 #include "document/node_text.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
@@ -7,6 +5,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::pair<const char*, DrawRule> kDrawRuleWords[] = {
@@ -24,29 +23,20 @@ void read_failures(Reader& reader, const Place& at, RobustnessDraft& out) {
     reader.error(at, "of a single device none may fail; nothing would be left");
 }
 
-void read_deviation(Reader& reader, const Place& at, const char* unit, double& out) {
-  const auto value = reader.number(at, unit);
-  if (!value) return;
-  if (!(*value > 0)) reader.error(at, "must be above 0; leave out what isn't drawn");
-  out = *value;
-}
-
 Written deviation(double value) {
   if (value == 0) return std::nullopt;
   return to_node(value);
 }
 
+constexpr Bounds kDrawn = above(0, "; leave out what isn't drawn");
+
 constexpr std::array<Key<Robustness>, 2> kMountingKeys = {{
-    {"at", Need::optional, "standard deviation of places along each axis, metres",
-     [](Reader& r, const Place& p, Robustness& out) {
-       read_deviation(r, p, "m", out.place);
-     },
-     [](const Robustness& d) { return deviation(d.place); }},
-    {"angle", Need::optional, "standard deviation of a turn about each axis, radians",
-     [](Reader& r, const Place& p, Robustness& out) {
-       read_deviation(r, p, "rad", out.angle);
-     },
-     [](const Robustness& d) { return deviation(d.angle); }},
+    other_key<&Robustness::place>(
+        "at", Need::optional, "standard deviation of places along each axis, metres",
+        number("m", kDrawn)),
+    other_key<&Robustness::angle>(
+        "angle", Need::optional,
+        "standard deviation of a turn about each axis, radians", number("rad", kDrawn)),
 }};
 
 void read_mounting(Reader& reader, const Place& at, RobustnessDraft& out) {
@@ -56,41 +46,42 @@ void read_mounting(Reader& reader, const Place& at, RobustnessDraft& out) {
 
 constexpr std::array<Key<RobustnessDraft>, 6> kRobustKeys = {{
     {"failures", Need::optional,
-     "devices of which any one may fail; * is any part of a name", read_failures,
+     "devices of which any one may fail; * is any part of a name", names(),
+     read_failures,
      [](const RobustnessDraft& d) -> Written {
        if (d.robust.failures.empty()) return std::nullopt;
        return names_node(d.robust.failures);
      }},
     {"mounting", Need::optional, "how far devices are off where they should be",
-     read_mounting,
+     map<kMountingKeys>(), read_mounting,
      [](const RobustnessDraft& d) -> Written {
        if (d.robust.place == 0 && d.robust.angle == 0) return std::nullopt;
        return write_map(kMountingKeys, d.robust);
      }},
     {"noise", Need::optional,
      "relative standard deviation of devices' noise: of its logarithm",
+     number("1", kDrawn),
      [](Reader& r, const Place& p, RobustnessDraft& d) {
-       read_deviation(r, p, "1", d.robust.noise);
+       if (const auto noise = r.number(p)) d.robust.noise = *noise;
      },
      [](const RobustnessDraft& d) { return deviation(d.robust.noise); }},
-    {"draws", Need::optional, "how many draws of mounting and noise",
+    {"draws", Need::optional, "how many draws of mounting and noise", integer(1, 10000),
      [](Reader& r, const Place& p, RobustnessDraft& d) {
-       if (const auto n = r.integer(p, 1, 10000)) d.robust.draws = *n;
+       if (const auto n = r.integer(p)) d.robust.draws = *n;
      },
      [](const RobustnessDraft& d) -> Written {
        if (!d.robust.is_drawn()) return std::nullopt;
        return to_node(d.robust.draws);
      }},
-    {"seed", Need::optional, "of the draws",
+    {"seed", Need::optional, "of the draws", integer(0),
      [](Reader& r, const Place& p, RobustnessDraft& d) {
-       if (const auto n = r.integer(p, 0, std::numeric_limits<int>::max()))
-         d.robust.seed = *n;
+       if (const auto n = r.integer(p)) d.robust.seed = *n;
      },
      [](const RobustnessDraft& d) -> Written {
        if (!d.robust.is_drawn()) return std::nullopt;
        return to_node(d.robust.seed);
      }},
-    {"combine", Need::optional, "mean or worst of the draws",
+    {"combine", Need::optional, "mean or worst of the draws", choice<kDrawRuleWords>(),
      [](Reader& r, const Place& p, RobustnessDraft& d) {
        if (const auto rule = r.choice(p, kDrawRuleWords)) d.robust.combine = *rule;
      },
@@ -101,6 +92,8 @@ constexpr std::array<Key<RobustnessDraft>, 6> kRobustKeys = {{
 }};
 
 }  // namespace
+
+std::vector<KeyShape> robust_keys() { return keys_of<kRobustKeys>(); }
 
 void read_robust(Reader& reader, const Place& at, const Scene& scene, Robustness& out) {
   const std::size_t before = reader.findings.errors();

@@ -13,6 +13,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 // ---- orientations ----
@@ -20,11 +21,13 @@ using Written = std::optional<Node>;
 constexpr std::array<Key<Orientations>, 2> kOrientationKeys = {{
     {"rpy", Need::optional,
      "target orientations tried at each point, [[roll, pitch, yaw], …]",
+     list([] { return vector("rad"); }, 1),
      [](Reader& r, const Place& p, Orientations& o) {
        if (auto rpy = r.vectors3(p, "rad", kAngles)) o.rpy = std::move(*rpy);
      },
      [](const Orientations& o) -> Written { return to_node(o.rpy); }},
     {"combine", Need::optional, "how they become one value: worst, mean or information",
+     choice<kOrientationRuleWords>(),
      [](Reader& r, const Place& p, Orientations& o) {
        if (const auto rule = r.choice(p, kOrientationRuleWords)) o.combine = *rule;
      },
@@ -84,7 +87,7 @@ void read_file(Reader& reader, const Place& at, SampleSetDraft& out) {
 }
 
 constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
-    {"name", Need::optional, "name of the set",
+    {"name", Need::optional, "name of the set", name(),
      [](Reader& r, const Place& p, SampleSetDraft& d) {
        if (auto name = r.name(p)) d.set.name = std::move(*name);
      },
@@ -92,7 +95,7 @@ constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
        if (d.set.name.empty()) return std::nullopt;
        return to_node(d.set.name);
      }},
-    {"volume", Need::optional, "samples in a box", read_volume_set,
+    {"volume", Need::optional, "samples in a box", map(volume_keys), read_volume_set,
      [](const SampleSetDraft& d) -> Written {
        if (const auto* v = std::get_if<VolumeSampling>(&d.set.shape))
          return write_volume(*v);
@@ -100,27 +103,29 @@ constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
          return write_volume(*v);
        return std::nullopt;
      }},
-    {"plane", Need::optional, "samples on a parallelogram", read_plane_set,
+    {"plane", Need::optional, "samples on a parallelogram", map(plane_keys),
+     read_plane_set,
      [](const SampleSetDraft& d) -> Written {
        const auto* p = std::get_if<PlaneSampling>(&d.set.shape);
        if (!p) return std::nullopt;
        return write_plane(*p);
      }},
-    {"points", Need::optional, "given points [[x, y, z], …], metres", read_points,
+    {"points", Need::optional, "given points [[x, y, z], …], metres", points(),
+     read_points,
      [](const SampleSetDraft& d) -> Written {
        const auto* p = std::get_if<PointSampling>(&d.set.shape);
        if (!p || !p->file.empty()) return std::nullopt;
        return to_node(p->points);
      }},
     {"file", Need::optional, "points in a .ptl or .csv file, relative to the scene",
-     read_file,
+     text(), read_file,
      [](const SampleSetDraft& d) -> Written {
        const auto* p = std::get_if<PointSampling>(&d.set.shape);
        if (!p || p->file.empty()) return std::nullopt;
        return to_node(p->file);
      }},
     {"mesh", Need::optional, "vertices of a mesh: a file, or file and scale",
-     read_mesh_set,
+     either(mesh_sample_forms), read_mesh_set,
      [](const SampleSetDraft& d) -> Written {
        const auto* m = std::get_if<MeshSampling>(&d.set.shape);
        if (!m) return std::nullopt;
@@ -128,6 +133,7 @@ constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
      }},
     {"path", Need::optional,
      "samples along a line through waypoints: a file, or points, step, count",
+     either(path_forms),
      [](Reader& r, const Place& p, SampleSetDraft& d) {
        auto path = read_path(r, p);
        d.complete = path.has_value();
@@ -139,6 +145,7 @@ constexpr std::array<Key<SampleSetDraft>, 8> kSampleSetKeys = {{
        return write_path(*path);
      }},
     {"orientations", Need::optional, "target orientations tried at each point",
+     map(orientation_keys),
      [](Reader& r, const Place& p, SampleSetDraft& d) {
        if (!d.single)
          r.error(p, "orientations hold for all sets; put them beside 'sample'");
@@ -222,7 +229,14 @@ void with_adaptive(const Place& set, const Use& use) {
 
 bool stand_in_set(const Scene& scene) { return scene.samples.size() == 1; }
 
+Shape sample_set_shape() { return map<kSampleSetKeys>(); }
+
 }  // namespace
+
+std::vector<KeyShape> orientation_keys() { return keys_of<kOrientationKeys>(); }
+std::vector<Shape> sample_forms() {
+  return {sample_set_shape(), list(sample_set_shape, 1)};
+}
 
 void read_orientations(Reader& reader, const Place& at, Orientations& out) {
   read_map(reader, at, kOrientationKeys, out);

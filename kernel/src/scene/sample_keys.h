@@ -26,4 +26,7 @@ void read_orientations(Reader& reader, const Place& at, Orientations& out);
 /// @returns nullopt where write_samples() has written them.
 [[nodiscard]] std::optional<Node> write_orientations(const Scene& scene);
 
+[[nodiscard]] std::vector<KeyShape> orientation_keys();
+[[nodiscard]] std::vector<Shape> sample_forms();
+
 }  // namespace delos

@@ -13,6 +13,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 // ---- volume ----
@@ -51,40 +52,31 @@ Written write_if(const std::optional<double>& value) {
 }
 
 constexpr std::array<Key<AdaptiveSampling>, 6> kAdaptiveKeys = {{
-    {"tolerance", Need::optional, "relative error of the metric, such as 2 %",
+    member_key<&AdaptiveSampling::tolerance>(
+        "tolerance", Need::optional, "relative error of the metric, such as 2 %",
+        number("1", {.least = 0,
+                     .greatest = 1,
+                     .above = true,
+                     .below = true,
+                     .why = ", such as 2 %"})),
+    member_key<&AdaptiveSampling::depth>("depth", Need::optional,
+                                         "how often the box may be halved, 1 to 12",
+                                         integer(1, 12)),
+    {"evaluations", Need::optional, "stop after about so many", integer(1),
      [](Reader& r, const Place& p, AdaptiveSampling& a) {
-       const auto tolerance = r.number(p, "1");
-       if (!tolerance) return;
-       if (!(*tolerance > 0 && *tolerance < 1))
-         r.error(p, "must be above 0 and below 1, such as 2 %");
-       a.tolerance = *tolerance;
-     },
-     [](const AdaptiveSampling& a) -> Written { return to_node(a.tolerance); }},
-    {"depth", Need::optional, "how often the box may be halved, 1 to 12",
-     [](Reader& r, const Place& p, AdaptiveSampling& a) {
-       if (const auto depth = r.integer(p, 1, 12)) a.depth = *depth;
-     },
-     [](const AdaptiveSampling& a) -> Written { return to_node(a.depth); }},
-    {"evaluations", Need::optional, "stop after about so many",
-     [](Reader& r, const Place& p, AdaptiveSampling& a) {
-       const auto most = r.integer(p, 1, std::numeric_limits<int>::max());
-       if (most) a.evaluations = *most;
+       if (const auto most = r.integer(p)) a.evaluations = *most;
      },
      [](const AdaptiveSampling& a) -> Written {
        if (!a.evaluations) return std::nullopt;
        return to_node(static_cast<int>(*a.evaluations));
      }},
-    {"seconds", Need::optional, "stop after about so long",
-     [](Reader& r, const Place& p, AdaptiveSampling& a) {
-       const auto seconds = r.number(p, "s");
-       if (!seconds) return;
-       if (!(*seconds > 0)) r.error(p, "must be above 0");
-       a.seconds = *seconds;
-     },
-     [](const AdaptiveSampling& a) { return write_if(a.seconds); }},
-    {"near", Need::optional, "refine only around this value of the metric", nullptr,
+    other_key<&AdaptiveSampling::seconds>(
+        "seconds", Need::optional, "stop after about so long", number("s", above(0))),
+    {"near", Need::optional, "refine only around this value of the metric",
+     number(nullptr, above(0)), nullptr,
      [](const AdaptiveSampling& a) { return write_if(a.near_value); }},
     {"within", Need::optional, "refine only in this box: its corners min and max",
+     map(box_keys),
      [](Reader& r, const Place& p, AdaptiveSampling& a) {
        if (const auto box = read_box(r, p)) a.within.emplace(box->min, box->max);
      },
@@ -94,15 +86,17 @@ constexpr std::array<Key<AdaptiveSampling>, 6> kAdaptiveKeys = {{
      }},
 }};
 
+std::vector<Shape> step_forms() {
+  return {number("m", above(0)), numbers("m", 3, 3, above(0))};
+}
+
 constexpr std::array<Key<Volume>, 4> kVolumeKeys = {{
-    {"min", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, Volume& v) { read_vector(r, p, v.min); },
-     [](const Volume& v) -> Written { return vector_node(v.min); }},
-    {"max", Need::required, "opposite corner [x, y, z], metres",
-     [](Reader& r, const Place& p, Volume& v) { read_vector(r, p, v.max); },
-     [](const Volume& v) -> Written { return vector_node(v.max); }},
+    member_key<&Volume::min>("min", Need::required, "corner [x, y, z], metres",
+                             vector("m")),
+    member_key<&Volume::max>("max", Need::required, "opposite corner [x, y, z], metres",
+                             vector("m")),
     {"step", Need::optional, "distance of samples, metres: a number or [x, y, z]",
-     read_step,
+     either(step_forms), read_step,
      [](const Volume& v) -> Written {
        if (!v.step) return std::nullopt;
        if (v.step->x() == v.step->y() && v.step->y() == v.step->z())
@@ -110,6 +104,7 @@ constexpr std::array<Key<Volume>, 4> kVolumeKeys = {{
        return vector_node(*v.step);
      }},
     {"adaptive", Need::optional, "samples only where the field needs them",
+     map<kAdaptiveKeys>(),
      [](Reader& r, const Place& p, Volume& v) {
        read_map(r, p, kAdaptiveKeys, v.adaptive.emplace());
      },
@@ -166,8 +161,10 @@ void check_box(Reader& reader, const Place& at, const Volume& v) {
 
 constexpr std::array<Key<MeshShape>, 2> kMeshKeys = {{
     {"file", Need::required, "a .off, .obj, .ply or .stl file, relative to the scene",
-     read_mesh_file, [](const MeshShape& m) -> Written { return to_node(m.file); }},
-    {"scale", Need::optional, "metres per unit of the file", read_scale, write_scale},
+     text(), read_mesh_file,
+     [](const MeshShape& m) -> Written { return to_node(m.file); }},
+    {"scale", Need::optional, "metres per unit of the file", kScaleShape, read_scale,
+     write_scale},
 }};
 
 // ---- plane ----
@@ -187,16 +184,14 @@ void read_counts(Reader& reader, const Place& at, PlaneSampling& out) {
 }
 
 constexpr std::array<Key<PlaneSampling>, 4> kPlaneKeys = {{
-    {"origin", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.origin); },
-     [](const PlaneSampling& s) -> Written { return vector_node(s.origin); }},
-    {"u", Need::required, "first edge [x, y, z], metres",
-     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.u); },
-     [](const PlaneSampling& s) -> Written { return vector_node(s.u); }},
-    {"v", Need::required, "second edge [x, y, z], metres",
-     [](Reader& r, const Place& p, PlaneSampling& s) { read_vector(r, p, s.v); },
-     [](const PlaneSampling& s) -> Written { return vector_node(s.v); }},
-    {"counts", Need::required, "samples along u and v, [nu, nv]", read_counts,
+    member_key<&PlaneSampling::origin>("origin", Need::required,
+                                       "corner [x, y, z], metres", vector("m")),
+    member_key<&PlaneSampling::u>("u", Need::required, "first edge [x, y, z], metres",
+                                  vector("m")),
+    member_key<&PlaneSampling::v>("v", Need::required, "second edge [x, y, z], metres",
+                                  vector("m")),
+    {"counts", Need::required, "samples along u and v, [nu, nv]",
+     numbers("1", 2, 2, at_least(1)), read_counts,
      [](const PlaneSampling& s) -> Written {
        return to_node(std::vector<Node>{to_node(s.counts[0]), to_node(s.counts[1])});
      }},
@@ -215,7 +210,7 @@ void read_waypoints(Reader& reader, const Place& at, PathSampling& out) {
 }
 
 constexpr std::array<Key<PathSampling>, 4> kPathKeys = {{
-    {"points", Need::optional, "waypoints in order [[x, y, z], …], metres",
+    {"points", Need::optional, "waypoints in order [[x, y, z], …], metres", points(),
      [](Reader& r, const Place& p, PathSampling& s) {
        if (auto points = r.vectors3(p, "m")) s.waypoints = std::move(*points);
      },
@@ -224,25 +219,17 @@ constexpr std::array<Key<PathSampling>, 4> kPathKeys = {{
        return to_node(s.waypoints);
      }},
     {"file", Need::optional, "waypoints in a .ptl or .csv file, relative to the scene",
-     read_waypoints,
+     text(), read_waypoints,
      [](const PathSampling& s) -> Written {
        if (s.file.empty()) return std::nullopt;
        return to_node(s.file);
      }},
-    {"step", Need::optional, "distance of samples along the path, metres",
-     [](Reader& r, const Place& p, PathSampling& s) {
-       s.step = r.number(p, "m");
-       if (s.step && !(*s.step > 0)) r.error(p, "must be above 0");
-     },
-     [](const PathSampling& s) { return write_if(s.step); }},
-    {"count", Need::optional, "samples at equal distances from end to end",
-     [](Reader& r, const Place& p, PathSampling& s) {
-       s.count = r.integer(p, 2, std::numeric_limits<int>::max());
-     },
-     [](const PathSampling& s) -> Written {
-       if (!s.count) return std::nullopt;
-       return to_node(*s.count);
-     }},
+    other_key<&PathSampling::step>("step", Need::optional,
+                                   "distance of samples along the path, metres",
+                                   number("m", above(0))),
+    other_key<&PathSampling::count>("count", Need::optional,
+                                    "samples at equal distances from end to end",
+                                    integer(2)),
 }};
 
 /// What only the keys together tell.
@@ -268,6 +255,11 @@ void check_path(Reader& reader, const Place& at, const PathSampling& path) {
 }
 
 }  // namespace
+
+std::vector<KeyShape> volume_keys() { return keys_of<kVolumeKeys>(); }
+std::vector<KeyShape> plane_keys() { return keys_of<kPlaneKeys>(); }
+std::vector<Shape> mesh_sample_forms() { return {text(), map<kMeshKeys>()}; }
+std::vector<Shape> path_forms() { return {text(), map<kPathKeys>()}; }
 
 std::optional<std::variant<VolumeSampling, AdaptiveSampling>> read_volume(
     Reader& reader, const Place& at) {

@@ -32,4 +32,9 @@ void check_reach(Reader& reader, const Place& at, const VolumeSampling& volume);
 [[nodiscard]] Node write_plane(const PlaneSampling& plane);
 [[nodiscard]] Node write_path(const PathSampling& path);
 
+[[nodiscard]] std::vector<KeyShape> volume_keys();
+[[nodiscard]] std::vector<KeyShape> plane_keys();
+[[nodiscard]] std::vector<Shape> mesh_sample_forms();
+[[nodiscard]] std::vector<Shape> path_forms();
+
 }  // namespace delos

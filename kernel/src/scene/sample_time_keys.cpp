@@ -10,44 +10,22 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// The worst fit of a table that is taken for one: relative, root mean square.
 constexpr double kWorstFit = 0.3;
 
-void read_above_0(Reader& reader, const Place& at, const char* unit, double& out) {
-  const auto value = reader.number(at, unit);
-  if (!value) return;
-  if (!(*value > 0)) reader.error(at, "must be above 0");
-  out = *value;
-}
-
-void read_from_0(Reader& reader, const Place& at, const char* unit, double& out) {
-  const auto value = reader.number(at, unit);
-  if (!value) return;
-  if (*value < 0) reader.error(at, "must not be below 0");
-  out = *value;
-}
-
-Written unless_0(double value) {
-  if (value == 0) return std::nullopt;
-  return to_node(value);
-}
-
 constexpr std::array<Key<Timing>, 3> kTimingKeys = {{
-    {"processing", Need::optional, "what an update takes beside its exposure, s",
-     [](Reader& r, const Place& p, Timing& t) { read_from_0(r, p, "s", t.processing); },
-     [](const Timing& t) { return unless_0(t.processing); }},
-    {"idle", Need::optional, "how long it then waits, s",
-     [](Reader& r, const Place& p, Timing& t) { read_from_0(r, p, "s", t.idle); },
-     [](const Timing& t) { return unless_0(t.idle); }},
-    {"windows", Need::optional,
-     "windows of one exposure that an update takes, such as 2, light and dark",
-     [](Reader& r, const Place& p, Timing& t) { read_above_0(r, p, "1", t.windows); },
-     [](const Timing& t) -> Written {
-       if (t.windows == 1) return std::nullopt;
-       return to_node(t.windows);
-     }},
+    other_key<&Timing::processing>("processing", Need::optional,
+                                   "what an update takes beside its exposure, s",
+                                   number("s", at_least(0))),
+    other_key<&Timing::idle>("idle", Need::optional, "how long it then waits, s",
+                             number("s", at_least(0))),
+    other_key<&Timing::windows>(
+        "windows", Need::optional,
+        "windows of one exposure that an update takes, such as 2, light and dark",
+        number("1", above(0))),
 }};
 
 void read_table(Reader& reader, const Place& at, NoiseOverTime& out) {
@@ -91,38 +69,31 @@ constexpr std::pair<const char*, NoiseLaw> kNoiseLawWords[] = {
 constexpr std::array<Key<NoiseOverTime>, 8> kNoiseKeys = {{
     {"law", Need::required,
      "constant, inverse, samples, photon, photodiode, table or expression",
+     choice<kNoiseLawWords>(),
      [](Reader& r, const Place& p, NoiseOverTime& n) {
        if (const auto law = r.choice(p, kNoiseLawWords)) n.law = *law;
      },
      [](const NoiseOverTime& n) -> Written {
        return to_node(word_of(kNoiseLawWords, n.law));
      }},
-    {"at", Need::optional, "the exposure that the noise in `params` is of, s",
-     [](Reader& r, const Place& p, NoiseOverTime& n) { read_above_0(r, p, "s", n.at); },
-     [](const NoiseOverTime& n) { return unless_0(n.at); }},
-    {"read", Need::optional,
-     "photon: what part of the variance reading out has at `at`, 0 to 1",
-     [](Reader& r, const Place& p, NoiseOverTime& n) {
-       const auto read = r.number(p, "1");
-       if (!read) return;
-       if (!(*read >= 0 && *read <= 1)) r.error(p, "must be from 0 to 1");
-       n.read = *read;
-     },
-     [](const NoiseOverTime& n) { return unless_0(n.read); }},
-    {"frequency", Need::optional, "samples: how often it samples, Hz",
-     [](Reader& r, const Place& p, NoiseOverTime& n) {
-       read_above_0(r, p, "1/s", n.frequency);
-     },
-     [](const NoiseOverTime& n) { return unless_0(n.frequency); }},
-    {"bandwidth", Need::optional, "photodiode: of its amplifier, Hz",
-     [](Reader& r, const Place& p, NoiseOverTime& n) {
-       read_above_0(r, p, "1/s", n.bandwidth);
-     },
-     [](const NoiseOverTime& n) { return unless_0(n.bandwidth); }},
-    {"gap", Need::optional, "photodiode: between the light and the dark window, s",
-     [](Reader& r, const Place& p, NoiseOverTime& n) { read_from_0(r, p, "s", n.gap); },
-     [](const NoiseOverTime& n) { return unless_0(n.gap); }},
-    {"table", Need::optional, "table: [[exposure, variance], …], measured", read_table,
+    other_key<&NoiseOverTime::at>("at", Need::optional,
+                                  "the exposure that the noise in `params` is of, s",
+                                  number("s", above(0))),
+    other_key<&NoiseOverTime::read>(
+        "read", Need::optional,
+        "photon: what part of the variance reading out has at `at`, 0 to 1",
+        number("1", between(0, 1))),
+    other_key<&NoiseOverTime::frequency>("frequency", Need::optional,
+                                         "samples: how often it samples, Hz",
+                                         number("1/s", above(0))),
+    other_key<&NoiseOverTime::bandwidth>("bandwidth", Need::optional,
+                                         "photodiode: of its amplifier, Hz",
+                                         number("1/s", above(0))),
+    other_key<&NoiseOverTime::gap>(
+        "gap", Need::optional, "photodiode: between the light and the dark window, s",
+        number("s", at_least(0))),
+    {"table", Need::optional, "table: [[exposure, variance], …], measured",
+     list([] { return numbers(nullptr, 2, 2); }, 3), read_table,
      [](const NoiseOverTime& n) -> Written {
        if (n.table.empty()) return std::nullopt;
        Eigen::MatrixXd rows(static_cast<Eigen::Index>(n.table.size()), 2);
@@ -132,14 +103,9 @@ constexpr std::array<Key<NoiseOverTime>, 8> kNoiseKeys = {{
        }
        return matrix_node(rows);
      }},
-    {"expression", Need::optional, "expression: the variance by tau, seconds",
-     [](Reader& r, const Place& p, NoiseOverTime& n) {
-       if (auto text = r.word(p)) n.expression = std::move(*text);
-     },
-     [](const NoiseOverTime& n) -> Written {
-       if (n.expression.empty()) return std::nullopt;
-       return to_node(n.expression);
-     }},
+    other_key<&NoiseOverTime::expression>("expression", Need::optional,
+                                          "expression: the variance by tau, seconds",
+                                          text()),
 }};
 
 /// Each law has its own keys, and needs them.
@@ -176,6 +142,9 @@ void check_law(Reader& reader, const Place& at, const NoiseOverTime& noise) {
 }
 
 }  // namespace
+
+std::vector<KeyShape> timing_keys() { return keys_of<kTimingKeys>(); }
+std::vector<KeyShape> noise_over_time_keys() { return keys_of<kNoiseKeys>(); }
 
 void read_timing(Reader& reader, const Place& at, DeviceEntry& out) {
   const std::size_t before = reader.findings.errors();

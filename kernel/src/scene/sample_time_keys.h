@@ -15,4 +15,7 @@ void read_noise_over_time(Reader& reader, const Place& at, DeviceEntry& out);
 /// Exposure, rate, timing and noise of a device fit together.
 void check_sample_time(Reader& reader, const Place& at, const DeviceEntry& device);
 
+[[nodiscard]] std::vector<KeyShape> timing_keys();
+[[nodiscard]] std::vector<KeyShape> noise_over_time_keys();
+
 }  // namespace delos

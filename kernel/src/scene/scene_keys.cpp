@@ -25,6 +25,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// The version of the scene format that this program reads and writes.
@@ -46,27 +47,13 @@ void read_format(Reader& reader, const Place& at, SceneDraft&) {
                          std::to_string(kFormat));
 }
 
-void read_skin(Reader& reader, const Place& at, SceneDraft& out) {
-  const auto skin = reader.number(at, "m");
-  if (!skin) return;
-  if (*skin < 0) reader.error(at, "must not be below 0");
-  out.scene.skin = *skin;
-}
-
-void read_lag(Reader& reader, const Place& at, SceneDraft& out) {
-  const auto lag = reader.number(at, "s");
-  if (!lag) return;
-  if (*lag < 0)
-    reader.error(at, "must not be below 0: nothing is used before it is known");
-  out.scene.lag = *lag;
-}
-
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
 constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
-     read_format, [](const SceneDraft&) -> Written { return to_node(kFormat); }},
-    {"name", Need::optional, "a title",
+     integer(kFormat, kFormat), read_format,
+     [](const SceneDraft&) -> Written { return to_node(kFormat); }},
+    {"name", Need::optional, "a title", text(),
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (auto name = r.word(p)) d.scene.name = std::move(*name);
        if (has_control(d.scene.name)) r.error(p, "holds a control character");
@@ -75,7 +62,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.name.empty()) return std::nullopt;
        return to_node(d.scene.name);
      }},
-    {"motion", Need::required, "how the target is expected to move",
+    {"motion", Need::required, "how the target is expected to move", map(motion_keys),
      [](Reader& r, const Place& p, SceneDraft& d) {
        const std::size_t before = r.findings.errors();
        read_motion(r, p, d.scene.motion);
@@ -83,6 +70,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
      },
      [](const SceneDraft& d) -> Written { return write_motion(d.scene.motion); }},
     {"motions", Need::optional, "other motions, by name, that it may have instead",
+     table(motion_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_motions(r, p, d.scene.motions);
      },
@@ -91,6 +79,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        return write_motions(d.scene.motions);
      }},
     {"fusion", Need::optional, "how the measurements of several devices come together",
+     choice<kFusionWords>(),
      [](Reader& r, const Place& p, SceneDraft& d) {
        d.scene.fusion = r.choice(p, kFusionWords);
      },
@@ -98,16 +87,18 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (!d.scene.fusion) return std::nullopt;
        return to_node(to_string(*d.scene.fusion));
      }},
-    {"sample", Need::required, "where the system is evaluated",
+    {"sample", Need::required, "where the system is evaluated", either(sample_forms),
      [](Reader& r, const Place& p, SceneDraft& d) { read_samples(r, p, d.scene); },
      [](const SceneDraft& d) -> Written { return write_samples(d.scene); }},
     {"orientations", Need::optional, "target orientations tried at each point",
+     map(orientation_keys),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_orientations(r, p, d.scene.orientations);
      },
      [](const SceneDraft& d) -> Written { return write_orientations(d.scene); }},
     {"covariance", Need::optional,
      "the one that the metric reads: prior, posterior or single",
+     choice<kCovarianceWords>(),
      [](Reader& r, const Place& p, SceneDraft& d) {
        const auto kind = r.choice(p, kCovarianceWords);
        const bool no_pose = d.known.motion && d.scene.motion.layout.coordinates() == 0;
@@ -121,7 +112,10 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
      }},
     {"lag", Need::optional,
      "how long after the covariance's instant it is used: processing, display",
-     read_lag,
+     number("s", at_least(0, ": nothing is used before it is known")),
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       if (const auto lag = r.number(p)) d.scene.lag = *lag;
+     },
      [](const SceneDraft& d) -> Written {
        if (d.scene.lag == 0) return std::nullopt;
        return to_node(d.scene.lag);
@@ -129,6 +123,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
     {"error", Need::optional,
      "which part of the error is shown: scatter, the bias of calibrations, or their "
      "total",
+     choice<kErrorPartWords>(),
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (const auto part = r.choice(p, kErrorPartWords)) d.scene.error = *part;
      },
@@ -139,6 +134,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
     {"exposures", Need::optional,
      "the motion in readings that take time: exact, instantaneous, averaged or "
      "integrated",
+     choice<kExposureModelWords>(),
      [](Reader& r, const Place& p, SceneDraft& d) {
        if (const auto model = r.choice(p, kExposureModelWords))
          d.scene.exposures = *model;
@@ -147,7 +143,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.exposures == ExposureModel::exact) return std::nullopt;
        return to_node(word_of(kExposureModelWords, d.scene.exposures));
      }},
-    {"metrics", Need::optional, "metrics by formulas",
+    {"metrics", Need::optional, "metrics by formulas", table(metric_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        d.metrics_known = read_metrics(r, p, d.known.motion, d.scene);
      },
@@ -155,7 +151,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.metrics.empty()) return std::nullopt;
        return write_metrics(d.scene.metrics);
      }},
-    {"metric", Need::optional, "the number that is shown",
+    {"metric", Need::optional, "the number that is shown", text(),
      [](Reader& r, const Place& p, SceneDraft& d) {
        auto metric = r.word(p);
        if (!metric) return;
@@ -165,10 +161,11 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        d.scene.metric = std::move(*metric);
      },
      [](const SceneDraft& d) -> Written { return to_node(d.scene.metric); }},
-    {"target", Need::optional, "the thing that is tracked",
+    {"target", Need::optional, "the thing that is tracked", map(target_keys),
      [](Reader& r, const Place& p, SceneDraft& d) { read_target(r, p, d.scene); },
      [](const SceneDraft& d) { return write_target(d.scene); }},
     {"groups", Need::optional, "poses that their members are relative to",
+     table(group_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_groups(r, p, d.scene.groups);
      },
@@ -176,7 +173,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.groups.empty()) return std::nullopt;
        return write_groups(d.scene.groups);
      }},
-    {"surfaces", Need::optional, "what devices are mounted on",
+    {"surfaces", Need::optional, "what devices are mounted on", table(surface_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        const std::size_t before = r.findings.errors();
        read_surfaces(r, p, d.scene.surfaces);
@@ -186,7 +183,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.surfaces.empty()) return std::nullopt;
        return write_surfaces(d.scene.surfaces);
      }},
-    {"regions", Need::optional, "named bodies",
+    {"regions", Need::optional, "named bodies", table(region_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_regions(r, p, d.scene.regions);
      },
@@ -195,6 +192,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        return write_regions(d.scene.regions);
      }},
     {"beacons", Need::optional, "what devices on the target look at",
+     table(beacon_set_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        const std::size_t before = r.findings.errors();
        read_beacons(r, p, d.scene.beacons);
@@ -204,7 +202,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.beacons.empty()) return std::nullopt;
        return write_beacons(d.scene.beacons);
      }},
-    {"clocks", Need::optional, "how the clocks of devices drift",
+    {"clocks", Need::optional, "how the clocks of devices drift", table(clock_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_clocks(r, p, d.scene.clocks);
      },
@@ -212,12 +210,12 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        if (d.scene.clocks.empty()) return std::nullopt;
        return write_clocks(d.scene.clocks);
      }},
-    {"devices", Need::required, "what measures",
+    {"devices", Need::required, "what measures", list(device_shape, 1),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_devices(r, p, d.known, d.scene);
      },
      [](const SceneDraft& d) -> Written { return write_devices(d.scene.devices); }},
-    {"occluders", Need::optional, "what blocks the sight",
+    {"occluders", Need::optional, "what blocks the sight", list(occluder_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_occluders(r, p, d.scene.occluders);
      },
@@ -226,6 +224,7 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        return write_occluders(d.scene.occluders);
      }},
     {"clutter", Need::optional, "what blocks the sight, drawn at random",
+     table(clutter_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_clutter(r, p, d.scene.clutter);
      },
@@ -234,19 +233,24 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        return write_clutter(d.scene.clutter);
      }},
     {"skin", Need::optional,
-     "how near to the ends of a sight line nothing hides, metres", read_skin,
+     "how near to the ends of a sight line nothing hides, metres",
+     number("m", at_least(0)),
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       if (const auto skin = r.number(p)) d.scene.skin = *skin;
+     },
      [](const SceneDraft& d) -> Written {
        if (d.scene.skin == Scene{}.skin) return std::nullopt;
        return to_node(d.scene.skin);
      }},
     // Read last, by read_search(): they are about the whole scene.
-    {"variables", Need::optional, "what a search may change", nullptr,
-     [](const SceneDraft& d) { return write_variables(d.scene); }},
-    {"constraints", Need::optional, "what a search must keep", nullptr,
-     [](const SceneDraft& d) { return write_constraints(d.scene); }},
-    {"objective", Need::optional, "what a search makes small", nullptr,
-     [](const SceneDraft& d) { return write_objective(d.scene); }},
-    {"selection", Need::optional, "what can be chosen, and how much of it", nullptr,
+    {"variables", Need::optional, "what a search may change", list(variable_shape),
+     nullptr, [](const SceneDraft& d) { return write_variables(d.scene); }},
+    {"constraints", Need::optional, "what a search must keep", list(constraint_shape),
+     nullptr, [](const SceneDraft& d) { return write_constraints(d.scene); }},
+    {"objective", Need::optional, "what a search makes small", either(objective_forms),
+     nullptr, [](const SceneDraft& d) { return write_objective(d.scene); }},
+    {"selection", Need::optional, "what can be chosen, and how much of it",
+     map(selection_keys), nullptr,
      [](const SceneDraft& d) { return write_selection(d.scene); }},
 }};
 
@@ -409,6 +413,8 @@ Scene read_scene(Reader& reader, const Node& root) {
   }
   return std::move(draft.scene);
 }
+
+std::vector<KeyShape> scene_keys() { return keys_of<kSceneKeys>(); }
 
 Node scene_node(const Scene& scene) {
   return write_map(kSceneKeys, SceneDraft{scene, {}, true});

@@ -34,4 +34,11 @@ void read_robust(Reader& reader, const Place& at, const Scene& scene, Robustness
 [[nodiscard]] std::optional<Node> write_constraints(const Scene& scene);
 [[nodiscard]] std::optional<Node> write_selection(const Scene& scene);
 
+// What they may look like.
+[[nodiscard]] Shape variable_shape();
+[[nodiscard]] Shape constraint_shape();
+[[nodiscard]] std::vector<Shape> objective_forms();
+[[nodiscard]] std::vector<KeyShape> robust_keys();
+[[nodiscard]] std::vector<KeyShape> selection_keys();
+
 }  // namespace delos

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "delos/sampling/samples.h"
 #include "delos/scene/candidates.h"
@@ -14,6 +13,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::pair<const char*, BeaconGrouping> kGroupingWords[] = {
@@ -195,12 +195,6 @@ void read_facings(Reader& reader, const Place& at, CandidateDraft& out) {
   }
 }
 
-double read_positive(Reader& reader, const Place& at) {
-  const auto value = reader.number(at, "1");
-  if (value && !(*value > 0)) reader.error(at, "must be above 0");
-  return value.value_or(1);
-}
-
 template <class Kind>
 Written write_copies(const CandidateDraft& d, Written (*write)(const Kind&)) {
   const auto* copies = as<CandidateCopies>(d);
@@ -225,18 +219,19 @@ Written write_facings(const CandidateDraft& d) {
 // What a kind needs to know is read first.
 constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
     {"devices", Need::optional, "devices of the scene; * is any part of a name",
-     read_devices,
+     names(), read_devices,
      [](const CandidateDraft& d) -> Written {
        const auto* devices = as<CandidateDevices>(d);
        return devices ? Written(words_node(devices->devices)) : std::nullopt;
      }},
-    {"beacons", Need::optional, "a set of beacons", read_beacon_set,
+    {"beacons", Need::optional, "a set of beacons", text(), read_beacon_set,
      [](const CandidateDraft& d) -> Written {
        const auto* beacons = as<CandidateBeacons>(d);
        return beacons ? Written(to_node(beacons->set)) : std::nullopt;
      }},
     {"by", Need::optional,
-     "what is chosen of the beacons as one: beacon, row, column or panel", read_by,
+     "what is chosen of the beacons as one: beacon, row, column or panel",
+     choice<kGroupingWords>(), read_by,
      [](const CandidateDraft& d) -> Written {
        const auto* beacons = as<CandidateBeacons>(d);
        if (!beacons) return std::nullopt;
@@ -246,18 +241,19 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
      }},
     {"copies_of", Need::optional,
      "a device of which copies may stand at many spots; it is only their pattern",
-     read_copies,
+     text(), read_copies,
      [](const CandidateDraft& d) -> Written {
        const auto* copies = as<CandidateCopies>(d);
        return copies ? Written(to_node(copies->of)) : std::nullopt;
      }},
     {"grid", Need::optional, "spots on a regular grid: min, max and step, metres",
+     map(volume_keys),
      [](Reader& r, const Place& p, CandidateDraft& d) { read_spots(r, p, d, "grid"); },
      [](const CandidateDraft& d) {
        return write_copies<VolumeSampling>(
            d, [](const VolumeSampling& g) -> Written { return write_volume(g); });
      }},
-    {"points", Need::optional, "spots one by one, [[x, y, z], …], metres",
+    {"points", Need::optional, "spots one by one, [[x, y, z], …], metres", points(),
      [](Reader& r, const Place& p, CandidateDraft& d) {
        read_spots(r, p, d, "points");
      },
@@ -268,7 +264,7 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
              return to_node(v);
            });
      }},
-    {"surface", Need::optional, "a surface with spots spread over it",
+    {"surface", Need::optional, "a surface with spots spread over it", text(),
      [](Reader& r, const Place& p, CandidateDraft& d) {
        read_spots(r, p, d, "surface");
      },
@@ -277,7 +273,7 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
            d, [](const SurfaceSpots& s) -> Written { return to_node(s.surface); });
      }},
     {"counts", Need::optional, "spots of a surface along u and v, or along a rail",
-     read_counts,
+     numbers("1", 1, 2, between(1, 100000)), read_counts,
      [](const CandidateDraft& d) {
        return write_copies<SurfaceSpots>(d, [](const SurfaceSpots& s) -> Written {
          std::vector<Node> list;
@@ -286,15 +282,17 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
        });
      }},
     {"aims", Need::optional, "points that the z axis looks at from every spot, metres",
-     read_facings<&Facings::aims>, write_facings<&Facings::aims>},
+     points(), read_facings<&Facings::aims>, write_facings<&Facings::aims>},
     {"rpy", Need::optional, "orientations at every spot, [[roll, pitch, yaw], …]",
-     read_facings<&Facings::rpy>, write_facings<&Facings::rpy>},
+     list([] { return vector("rad"); }, 1), read_facings<&Facings::rpy>,
+     write_facings<&Facings::rpy>},
     {"pans", Need::optional, "turns about the world's z from its x axis, with `tilts`",
-     read_facings<&Facings::pans>, write_facings<&Facings::pans>},
+     numbers("rad", 1), read_facings<&Facings::pans>, write_facings<&Facings::pans>},
     {"tilts", Need::optional, "angles above the horizon, each with every pan",
-     read_facings<&Facings::tilts>, write_facings<&Facings::tilts>},
+     numbers("rad", 1), read_facings<&Facings::tilts>, write_facings<&Facings::tilts>},
     {"one_per_spot", Need::optional,
      "whether at most one of a spot's facings is chosen: yes (default) or no",
+     choice<kTruthWords>(),
      [](Reader& r, const Place& p, CandidateDraft& d) {
        auto* copies = part_of<CandidateCopies>(r, p, d, "copies_of");
        const auto one = r.choice(p, kTruthWords);
@@ -305,9 +303,9 @@ constexpr std::array<Key<CandidateDraft>, 14> kCandidateKeys = {{
        if (!copies || copies->one_per_spot) return std::nullopt;
        return to_node("no");
      }},
-    {"cost", Need::optional, "what each costs, in any unit; 1",
+    {"cost", Need::optional, "what each costs, in any unit; 1", number("1", above(0)),
      [](Reader& r, const Place& p, CandidateDraft& d) {
-       d.set.cost = read_positive(r, p);
+       if (const auto cost = r.number(p)) d.set.cost = *cost;
      },
      [](const CandidateDraft& d) -> Written {
        if (d.set.cost == 1) return std::nullopt;
@@ -377,7 +375,8 @@ void read_candidates(Reader& reader, const Place& at, Scene& scene) {
 }
 
 constexpr std::array<Key<Scene>, 6> kSelectionKeys = {{
-    {"candidates", Need::required, "what can be chosen, a list", read_candidates,
+    {"candidates", Need::required, "what can be chosen, a list",
+     list([] { return map<kCandidateKeys>(); }, 1), read_candidates,
      [](const Scene& s) -> Written {
        std::vector<Node> list;
        for (const CandidateSet& set : s.selection.candidates)
@@ -385,18 +384,15 @@ constexpr std::array<Key<Scene>, 6> kSelectionKeys = {{
              write_map(kCandidateKeys, CandidateDraft{nullptr, set, {}, {}}));
        return to_node(std::move(list));
      }},
-    {"count", Need::optional, "choose at most so many",
-     [](Reader& r, const Place& p, Scene& s) {
-       s.selection.count = r.integer(p, 1, std::numeric_limits<int>::max());
-     },
+    {"count", Need::optional, "choose at most so many", integer(1),
+     [](Reader& r, const Place& p, Scene& s) { s.selection.count = r.integer(p); },
      [](const Scene& s) -> Written {
        if (!s.selection.count) return std::nullopt;
        return to_node(*s.selection.count);
      }},
     {"budget", Need::optional, "what the chosen ones may cost together",
-     [](Reader& r, const Place& p, Scene& s) {
-       s.selection.budget = read_positive(r, p);
-     },
+     number("1", above(0)),
+     [](Reader& r, const Place& p, Scene& s) { s.selection.budget = r.number(p); },
      [](const Scene& s) -> Written {
        if (!s.selection.budget) return std::nullopt;
        return to_node(*s.selection.budget);
@@ -404,21 +400,20 @@ constexpr std::array<Key<Scene>, 6> kSelectionKeys = {{
     {"cover", Need::optional,
      "choose the cheapest that see every sample at least so often, whatever the "
      "accuracy",
-     [](Reader& r, const Place& p, Scene& s) {
-       s.selection.cover = r.integer(p, 1, 1000);
-     },
+     integer(1, 1000),
+     [](Reader& r, const Place& p, Scene& s) { s.selection.cover = r.integer(p); },
      [](const Scene& s) -> Written {
        if (!s.selection.cover) return std::nullopt;
        return to_node(*s.selection.cover);
      }},
     {"keep", Need::optional,
-     "candidates that are chosen anyway; * is any part of a name",
+     "candidates that are chosen anyway; * is any part of a name", names(),
      [](Reader& r, const Place& p, Scene& s) { s.selection.keep = read_words(r, p); },
      [](const Scene& s) -> Written {
        if (s.selection.keep.empty()) return std::nullopt;
        return words_node(s.selection.keep);
      }},
-    {"leave_out", Need::optional, "candidates that aren't chosen",
+    {"leave_out", Need::optional, "candidates that aren't chosen", names(),
      [](Reader& r, const Place& p, Scene& s) {
        s.selection.leave_out = read_words(r, p);
      },
@@ -459,6 +454,8 @@ void check_limits(Reader& reader, const Place& at, const Scene& scene,
 }
 
 }  // namespace
+
+std::vector<KeyShape> selection_keys() { return keys_of<kSelectionKeys>(); }
 
 void read_selection(Reader& reader, const Place& at, Scene& scene) {
   const std::size_t before = reader.findings.errors();

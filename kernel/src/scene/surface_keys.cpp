@@ -9,18 +9,16 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::array<Key<PatchSurface>, 3> kPatchKeys = {{
-    {"origin", Need::required, "corner [x, y, z], metres",
-     [](Reader& r, const Place& p, PatchSurface& s) { read_vector(r, p, s.origin); },
-     [](const PatchSurface& s) -> Written { return vector_node(s.origin); }},
-    {"u", Need::required, "first edge [x, y, z], metres",
-     [](Reader& r, const Place& p, PatchSurface& s) { read_vector(r, p, s.u); },
-     [](const PatchSurface& s) -> Written { return vector_node(s.u); }},
-    {"v", Need::required, "second edge [x, y, z], metres",
-     [](Reader& r, const Place& p, PatchSurface& s) { read_vector(r, p, s.v); },
-     [](const PatchSurface& s) -> Written { return vector_node(s.v); }},
+    member_key<&PatchSurface::origin>("origin", Need::required,
+                                      "corner [x, y, z], metres", vector("m")),
+    member_key<&PatchSurface::u>("u", Need::required, "first edge [x, y, z], metres",
+                                 vector("m")),
+    member_key<&PatchSurface::v>("v", Need::required, "second edge [x, y, z], metres",
+                                 vector("m")),
 }};
 
 PatchSurface read_patch(Reader& reader, const Place& at) {
@@ -55,6 +53,7 @@ const Shape* shape_of(const SurfaceDraft& draft) {
 
 constexpr std::array<Key<SurfaceDraft>, 5> kSurfaceKeys = {{
     {"patch", Need::optional, "parallelogram that faces along u × v: origin, u, v",
+     map<kPatchKeys>(),
      [](Reader& r, const Place& p, SurfaceDraft& d) {
        d.surface.shape = read_patch(r, p);
      },
@@ -63,13 +62,15 @@ constexpr std::array<Key<SurfaceDraft>, 5> kSurfaceKeys = {{
        if (!patch) return std::nullopt;
        return write_map(kPatchKeys, *patch);
      }},
-    {"rail", Need::optional, "line through points [[x, y, z], …], metres", read_rail,
+    {"rail", Need::optional, "line through points [[x, y, z], …], metres", points(),
+     read_rail,
      [](const SurfaceDraft& d) -> Written {
        const auto* rail = shape_of<RailSurface>(d);
        if (!rail) return std::nullopt;
        return to_node(rail->points);
      }},
     {"mesh", Need::optional, "a .off, .obj, .ply or .stl file, relative to the scene",
+     text(),
      [](Reader& r, const Place& p, SurfaceDraft& d) {
        read_mesh_file(r, p, d.hull.mesh);
      },
@@ -78,7 +79,7 @@ constexpr std::array<Key<SurfaceDraft>, 5> kSurfaceKeys = {{
        if (!hull) return std::nullopt;
        return to_node(hull->mesh.file);
      }},
-    {"scale", Need::optional, "metres per unit of the mesh's file",
+    {"scale", Need::optional, "metres per unit of the mesh's file", kScaleShape,
      [](Reader& r, const Place& p, SurfaceDraft& d) { read_scale(r, p, d.hull.mesh); },
      [](const SurfaceDraft& d) -> Written {
        const auto* hull = shape_of<MeshSurface>(d);
@@ -86,6 +87,7 @@ constexpr std::array<Key<SurfaceDraft>, 5> kSurfaceKeys = {{
        return write_scale(hull->mesh);
      }},
     {"from", Need::optional, "patch whose points are thrown on the mesh along u × v",
+     map<kPatchKeys>(),
      [](Reader& r, const Place& p, SurfaceDraft& d) { d.hull.from = read_patch(r, p); },
      [](const SurfaceDraft& d) -> Written {
        const auto* hull = shape_of<MeshSurface>(d);
@@ -125,6 +127,8 @@ std::size_t coordinate_count(const SurfaceEntry& surface) {
 }
 
 }  // namespace
+
+Shape surface_shape() { return map<kSurfaceKeys>(); }
 
 void read_surfaces(Reader& reader, const Place& at, std::vector<SurfaceEntry>& out) {
   if (!reader.expect(at, Node::Kind::map, "a mapping of names to surfaces")) return;

@@ -27,4 +27,6 @@ std::optional<MountPoint> check_mounting(Reader& reader, const Place& at,
                                          const DeviceEntry& device,
                                          const std::vector<SurfaceEntry>* surfaces);
 
+[[nodiscard]] Shape surface_shape();
+
 }  // namespace delos

@@ -8,26 +8,22 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 /// Half-angle of a cone about a normal.
-std::optional<double> read_half_angle(Reader& reader, const Place& at) {
-  const auto angle = reader.angle(at);
-  if (!angle) return std::nullopt;
-  if (*angle > 0 && *angle <= std::numbers::pi) return angle;
-  reader.error(at,
-               "must be above 0 and at most 180 deg: the half-angle of the cone "
-               "from where it is seen");
-  return std::nullopt;
-}
+constexpr Shape kHalfAngle =
+    number("rad", {.least = 0,
+                   .greatest = std::numbers::pi,
+                   .above = true,
+                   .why = ": the half-angle of the cone from where it is seen"});
 
 constexpr std::array<Key<MarkerEntry>, 3> kMarkerKeys = {{
-    {"at", Need::required, "its place in the body's frame, [x, y, z], metres",
-     [](Reader& r, const Place& p, MarkerEntry& m) {
-       if (const auto v = r.vector3(p, "m")) m.at = *v;
-     },
-     [](const MarkerEntry& m) -> Written { return vector_node(m.at); }},
+    member_key<&MarkerEntry::at>("at", Need::required,
+                                 "its place in the body's frame, [x, y, z], metres",
+                                 vector("m")),
     {"normal", Need::optional, "which way it faces, [x, y, z], in the body's frame",
+     vector("1"),
      [](Reader& r, const Place& p, MarkerEntry& m) {
        const auto v = r.vector3(p, "1");
        if (!v) return;
@@ -39,15 +35,10 @@ constexpr std::array<Key<MarkerEntry>, 3> kMarkerKeys = {{
        if (!m.normal) return std::nullopt;
        return vector_node(*m.normal);
      }},
-    {"half_angle", Need::optional,
-     "of the cone about its normal from where it is seen; default: the body's",
-     [](Reader& r, const Place& p, MarkerEntry& m) {
-       m.half_angle = read_half_angle(r, p);
-     },
-     [](const MarkerEntry& m) -> Written {
-       if (!m.half_angle) return std::nullopt;
-       return to_node(*m.half_angle);
-     }},
+    other_key<&MarkerEntry::half_angle>(
+        "half_angle", Need::optional,
+        "of the cone about its normal from where it is seen; default: the body's",
+        kHalfAngle),
 }};
 
 void read_marker(Reader& reader, const Place& at, MarkerEntry& out) {
@@ -73,11 +64,15 @@ void read_body_markers(Reader& reader, const Place& at, MarkerBody& out) {
                 out.markers.emplace_back());
 }
 
+Shape marker_shape() {
+  return either([] { return std::vector{vector("m"), map<kMarkerKeys>()}; });
+}
+
 constexpr std::array<Key<MarkerBody>, 2> kMarkerBodyOwnKeys = {{
     {"markers", Need::required,
      "its markers: [x, y, z] in its frame, metres, seen from all around, or {at, "
      "normal, half_angle}",
-     read_body_markers,
+     list(marker_shape, 1), read_body_markers,
      [](const MarkerBody& b) -> Written {
        std::vector<Node> list;
        for (const MarkerEntry& marker : b.markers)
@@ -85,12 +80,9 @@ constexpr std::array<Key<MarkerBody>, 2> kMarkerBodyOwnKeys = {{
                                       : vector_node(marker.at));
        return to_node(std::move(list));
      }},
-    {"half_angle", Need::optional,
-     "of the cone about each normal from where the marker is seen",
-     [](Reader& r, const Place& p, MarkerBody& b) {
-       if (const auto angle = read_half_angle(r, p)) b.half_angle = *angle;
-     },
-     [](const MarkerBody& b) -> Written { return to_node(b.half_angle); }},
+    member_key<&MarkerBody::half_angle>(
+        "half_angle", Need::optional,
+        "of the cone about each normal from where the marker is seen", kHalfAngle),
 }};
 constexpr auto kMarkerBodyKeys = concat(kMarkerBodyOwnKeys, kPlacementKeys<MarkerBody>);
 
@@ -110,7 +102,7 @@ void read_bodies(Reader& reader, const Place& at, Scene& scene) {
 
 constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
     {"markers", Need::optional,
-     "points on the target [[x, y, z], …], metres, in its frame",
+     "points on the target [[x, y, z], …], metres, in its frame", points(),
      [](Reader& r, const Place& p, Scene& s) {
        if (auto markers = r.vectors3(p, "m")) s.markers = std::move(*markers);
      },
@@ -119,7 +111,7 @@ constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
        return to_node(s.markers);
      }},
     {"bodies", Need::optional, "named bodies of markers that face somewhere",
-     read_bodies,
+     table([] { return map<kMarkerBodyKeys>(); }), read_bodies,
      [](const Scene& s) -> Written {
        if (s.bodies.empty()) return std::nullopt;
        Node map;
@@ -133,6 +125,8 @@ constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
 }};
 
 }  // namespace
+
+std::vector<KeyShape> target_keys() { return keys_of<kTargetKeys>(); }
 
 void read_target(Reader& reader, const Place& at, Scene& scene) {
   if (!read_map(reader, at, kTargetKeys, scene)) return;

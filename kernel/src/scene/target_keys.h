@@ -11,4 +11,6 @@ void read_target(Reader& reader, const Place& at, Scene& scene);
 /// nullopt where it is one marker at its origin.
 [[nodiscard]] std::optional<Node> write_target(const Scene& scene);
 
+[[nodiscard]] std::vector<KeyShape> target_keys();
+
 }  // namespace delos

@@ -10,6 +10,7 @@
 namespace delos {
 namespace {
 
+using namespace shapes;
 using Written = std::optional<Node>;
 
 constexpr std::pair<const char*, ParamScale> kScaleWords[] = {
@@ -107,7 +108,10 @@ void read_member(Reader& reader, const Place& at, FollowerDraft& out) {
 }
 
 constexpr Key<FollowerDraft> kFollowerPath = {
-    "path", Need::required, "the number that follows",
+    "path",
+    Need::required,
+    "the number that follows",
+    text(),
     [](Reader& r, const Place& p, FollowerDraft& d) {
       const auto path = r.word(p);
       if (path && check_number(r, p, *d.scene, *path)) d.follower.path = *path;
@@ -116,7 +120,7 @@ constexpr Key<FollowerDraft> kFollowerPath = {
 
 constexpr std::array<Key<FollowerDraft>, 2> kMirrorKeys = {{
     kFollowerPath,
-    {"about", Need::optional, "where the mirror stands, in SI",
+    {"about", Need::optional, "where the mirror stands, in SI", number("1"),
      [](Reader& r, const Place& p, FollowerDraft& d) {
        if (const auto about = r.number(p, "1")) d.about = *about;
      }},
@@ -124,10 +128,11 @@ constexpr std::array<Key<FollowerDraft>, 2> kMirrorKeys = {{
 
 constexpr std::array<Key<FollowerDraft>, 3> kFollowKeys = {{
     kFollowerPath,
-    {"factor", Need::optional, "what the variable is multiplied with",
+    {"factor", Need::optional, "what the variable is multiplied with", number("1"),
      read_member<&Follower::factor>,
      [](const FollowerDraft& d) -> Written { return to_node(d.follower.factor); }},
-    {"offset", Need::optional, "what is added, in SI", read_member<&Follower::offset>,
+    {"offset", Need::optional, "what is added, in SI", number("1"),
+     read_member<&Follower::offset>,
      [](const FollowerDraft& d) -> Written { return to_node(d.follower.offset); }},
 }};
 
@@ -160,19 +165,22 @@ Written write_follow(const VariableEntry& entry) {
   return to_node(std::move(list));
 }
 
+std::vector<Shape> bound_forms() { return {number(nullptr), numbers(nullptr, 1)}; }
+std::vector<Shape> mirror_forms() { return {text(), map<kMirrorKeys>()}; }
+
 constexpr std::array<Key<VariableDraft>, 7> kVariableKeys = {{
     {"path", Need::required,
      "a number of the scene, such as devices.s1.at.z; * stands for any part of a name",
-     read_path,
+     text(), read_path,
      [](const VariableDraft& d) -> Written { return to_node(d.entries.front().path); }},
-    {"lower", Need::optional, "its least value",
+    {"lower", Need::optional, "its least value", either(bound_forms),
      [](Reader& r, const Place& p, VariableDraft& d) {
        read_bound(r, p, d, &VariableEntry::lower);
      },
      [](const VariableDraft& d) -> Written {
        return to_node(d.entries.front().lower);
      }},
-    {"upper", Need::optional, "its greatest value",
+    {"upper", Need::optional, "its greatest value", either(bound_forms),
      [](Reader& r, const Place& p, VariableDraft& d) {
        read_bound(r, p, d, &VariableEntry::upper);
      },
@@ -180,6 +188,7 @@ constexpr std::array<Key<VariableDraft>, 7> kVariableKeys = {{
        return to_node(d.entries.front().upper);
      }},
     {"scale", Need::optional, "how a search steps: uniform or log",
+     choice<kScaleWords>(),
      [](Reader& r, const Place& p, VariableDraft& d) {
        const auto scale = r.choice(p, kScaleWords);
        for (VariableEntry& entry : d.entries)
@@ -188,10 +197,12 @@ constexpr std::array<Key<VariableDraft>, 7> kVariableKeys = {{
      [](const VariableDraft& d) -> Written {
        return to_node(word_of(kScaleWords, d.entries.front().scale));
      }},
-    {"tie", Need::optional, "other numbers that take the same value", read_tie},
+    {"tie", Need::optional, "other numbers that take the same value", names(),
+     read_tie},
     {"mirror", Need::optional, "a number that takes the mirrored value: path, about",
-     read_mirror},
-    {"follow", Need::optional, "numbers that follow: path, factor, offset", read_follow,
+     either(mirror_forms), read_mirror},
+    {"follow", Need::optional, "numbers that follow: path, factor, offset",
+     list([] { return map<kFollowKeys>(); }), read_follow,
      [](const VariableDraft& d) -> Written { return write_follow(d.entries.front()); }},
 }};
 
@@ -227,6 +238,8 @@ bool check_bounds(Reader& reader, const Place& at, VariableEntry& entry,
 }
 
 }  // namespace
+
+Shape variable_shape() { return map<kVariableKeys>(); }
 
 void read_variables(Reader& reader, const Place& at, Scene& scene) {
   if (!reader.expect(at, Node::Kind::list, "a list of variables")) return;
