@@ -9,7 +9,7 @@ packages_to_build=(
 )
 packages_to_check=(
   libgtest-dev libgmock-dev libbenchmark-dev libslicot-dev libpng-dev libglpk-dev
-  chromium
+  chromium libvalijson-dev
   pybind11-dev python3-dev python3-numpy python3-pytest dpkg-dev file
   libopenmpi-dev openmpi-bin
 )

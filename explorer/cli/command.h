@@ -102,6 +102,7 @@ void add_compare_command(CLI::App& program, int& exit_code);
 void add_check_command(CLI::App& program, int& exit_code);
 void add_devices_command(CLI::App& program, int& exit_code);
 void add_new_device_command(CLI::App& program, int& exit_code);
+void add_schema_command(CLI::App& program, int& exit_code);
 void add_import_command(CLI::App& program, int& exit_code);
 void add_export_command(CLI::App& program, int& exit_code);
 void add_optimize_command(CLI::App& program, int& exit_code);

@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   add_compare_command(program, exit_code);
   add_check_command(program, exit_code);
   add_devices_command(program, exit_code);
+  add_schema_command(program, exit_code);
   add_new_device_command(program, exit_code);
   add_import_command(program, exit_code);
   add_export_command(program, exit_code);

@@ -1,19 +1,15 @@
 #include "session/palette.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
+#include "session/parameter_shape.h"
 #include "session/presets.h"
 #include "session/shipped_scenes.h"
 
 namespace delos::session {
 namespace {
-
-bool has_default(const ParamSpec& p) {
-  return p.kind == ParamKind::number ? !std::isnan(p.initial) : p.text != nullptr;
-}
 
 /// The first map of a plugin's examples, a line each: "- {sigma: 0.02}".
 std::string first_example(const std::string& id) {

@@ -23,12 +23,20 @@ std::string output_of(const std::string& command) {
 }
 
 /// The first line says how the file is made; the rest is made so.
-TEST(Manual, ListsTheDevicesAsTheyAre) {
-  const std::string file = read(root() / "docs/devices.md");
-  const std::string made = output_of("'" DELOS_PROGRAM "' devices --markdown");
-  const std::string first = "<!-- Written by: delos devices --markdown -->\n\n";
+void expect_made_by(const std::string& command, const std::string& file) {
+  const std::string made = output_of("'" DELOS_PROGRAM "' " + command);
   ASSERT_FALSE(made.empty());
-  EXPECT_EQ(file, first + made) << "docs/devices.md is out of date; write it anew";
+  EXPECT_EQ(read(root() / file),
+            "<!-- Written by: delos " + command + " -->\n\n" + made)
+      << file << " is out of date; write it anew";
+}
+
+TEST(Manual, ListsTheDevicesAsTheyAre) {
+  expect_made_by("devices --markdown", "docs/devices.md");
+}
+
+TEST(Manual, ListsTheKeysOfScenesAsTheyAre) {
+  expect_made_by("schema --markdown", "docs/scene-keys.md");
 }
 
 }  // namespace
