@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "cover/check_cover.h"
@@ -17,6 +14,7 @@
 #include "cover/cover_tree.h"
 #include "cover/lagrangian.h"
 #include "delos/model/infinity.h"
+#include "delos/parallel/jobs.h"
 
 namespace delos {
 namespace {
@@ -31,25 +29,8 @@ constexpr double kForReductions = 0.3;
 
 /// Do all tasks, several at once.
 void run_all(const std::vector<std::function<void()>>& tasks, int threads) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t k = next++; k < tasks.size(); k = next++) {
-      try {
-        tasks[k]();
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  std::vector<std::thread> team;
-  for (int t = 1; t < std::min<int>(threads, static_cast<int>(tasks.size())); ++t)
-    team.emplace_back(work);
-  work();
-  for (std::thread& t : team) t.join();
-  if (failure) std::rethrow_exception(failure);
+  each_job(tasks.size(), worker_count(threads),
+           [&](std::size_t k, std::size_t) { tasks[k](); });
 }
 
 std::vector<int> uncoverable(const CoverCore& core) {
@@ -258,10 +239,7 @@ CoverAnswer solve_cover(const CoverProblem& problem, const CoverOptions& options
   CoverAnswer answer;
   answer.samples_left = core.samples();
   answer.candidates_left = core.candidates();
-  const int threads =
-      options.threads > 0
-          ? options.threads
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int threads = static_cast<int>(worker_count(options.threads));
   Rounds rounds(problem, options, std::move(core), threads);
   answer.stop = search(rounds, options, threads, after(options.seconds));
   answer.chosen = rounds.chosen();

@@ -6,14 +6,13 @@
 #include <exception>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <numeric>
 #include <random>
 #include <stdexcept>
-#include <thread>
 
 #include "crew/crew_search.h"
 #include "delos/model/infinity.h"
+#include "delos/parallel/jobs.h"
 #include "delos/scene/definition.h"
 #include "delos/text/words.h"
 #include "nlopt/solver.h"
@@ -99,10 +98,7 @@ class Team {
  public:
   Team(const Scene& scene, PluginRegistry& plugins, const OptimizeOptions& options,
        std::size_t starts) {
-    const auto threads = static_cast<std::size_t>(
-        options.threads > 0
-            ? options.threads
-            : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    const std::size_t threads = worker_count(options.threads);
     const std::size_t workers = std::min(threads, starts);
     const auto each = static_cast<int>(threads / workers);
     for (std::size_t w = 0; w < workers; ++w)
@@ -113,26 +109,8 @@ class Team {
   /// work(k, place) for every k < count.
   template <class Work>
   void each(std::size_t count, Work&& work) {
-    std::atomic<std::size_t> next = 0;
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto run = [&](Workplace& place) {
-      for (std::size_t k = next++; k < count; k = next++) {
-        try {
-          work(k, place);
-        } catch (...) {
-          const std::lock_guard lock(mutex);
-          if (!failure) failure = std::current_exception();
-          next = count;
-        }
-      }
-    };
-    std::vector<std::thread> others;
-    for (std::size_t w = 1; w < places_.size(); ++w)
-      others.emplace_back(run, std::ref(*places_[w]));
-    run(*places_[0]);
-    for (std::thread& t : others) t.join();
-    if (failure) std::rethrow_exception(failure);
+    each_job(count, places_.size(),
+             [&](std::size_t k, std::size_t w) { work(k, *places_[w]); });
   }
 
   [[nodiscard]] const std::vector<Limit>& limits() const {

@@ -1,13 +1,12 @@
 #include "selection/field_cost.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "delos/model/infinity.h"
 #include "delos/model/lanes.h"
 #include "delos/model/metric_table.h"
+#include "delos/parallel/each.h"
 #include "delos/sampling/samples.h"
 #include "delos/steady/combine.h"
 #include "delos/steady/state_metric.h"
@@ -97,7 +96,7 @@ FieldCost::FieldCost(const System& system, const CandidateScene& all,
       turns_(orientations.rpy.size()),
       solved_(solved_turns(combine_, turns_)),
       packed_(static_cast<std::size_t>(packed_index(known_.columns, 0))),
-      threads_(threads > 0 ? threads : omp_get_max_threads()) {
+      threads_(thread_count(threads)) {
   std::vector<char> whole(size_, 0);
   for (const ExactRow& row : known_.exact)
     if (row.candidate >= 0) whole[static_cast<std::size_t>(row.candidate)] = 1;
@@ -138,9 +137,9 @@ void FieldCost::each_chunk(Body&& body) const {
   // A few poses are sooner done than shared out.
   constexpr std::size_t kWorthSharing = 256;
   const int threads = samples_ * turns_ < kWorthSharing ? 1 : threads_;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t c = 0; c < kParts; ++c)
+  each(kParts, {.threads = threads}, [&](std::size_t c) {
     body(c, std::min(samples_, c * length), std::min(samples_, (c + 1) * length));
+  });
 }
 
 /// S of a pose, packed, times a share.
@@ -378,28 +377,26 @@ std::vector<double> FieldCost::changed(std::span<const char> chosen,
     for (std::size_t s = first; s < end; ++s) hard(w, s, scratch, &before[s * count]);
   });
   std::vector<double> costs(changes.size());
-#pragma omp parallel num_threads(threads_)
-  {
-    std::vector<double> own = w, values = before;
-    Scratch scratch(*this);
-#pragma omp for schedule(dynamic)
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-      const auto each_seen = [&](auto&& body) {
-        for (const std::size_t c : {changes[i].in, changes[i].out})
-          if (c != Change::kNobody)
-            for (const std::uint32_t s : seen_by_[c]) body(s);
-      };
-      if (changes[i].in != Change::kNobody) own[changes[i].in] = 1;
-      if (changes[i].out != Change::kNobody) own[changes[i].out] = 0;
-      each_seen([&](std::size_t s) { hard(own, s, scratch, &values[s * count]); });
-      costs[i] = total(values);
-      each_seen([&](std::size_t s) {
-        std::copy_n(&before[s * count], count, &values[s * count]);
-      });
-      if (changes[i].in != Change::kNobody) own[changes[i].in] = w[changes[i].in];
-      if (changes[i].out != Change::kNobody) own[changes[i].out] = w[changes[i].out];
-    }
-  }
+  each_with(changes.size(), {.threads = threads_}, [&] {
+    return
+        [&, own = w, values = before, scratch = Scratch(*this)](std::size_t i) mutable {
+          const auto each_seen = [&](auto&& body) {
+            for (const std::size_t c : {changes[i].in, changes[i].out})
+              if (c != Change::kNobody)
+                for (const std::uint32_t s : seen_by_[c]) body(s);
+          };
+          if (changes[i].in != Change::kNobody) own[changes[i].in] = 1;
+          if (changes[i].out != Change::kNobody) own[changes[i].out] = 0;
+          each_seen([&](std::size_t s) { hard(own, s, scratch, &values[s * count]); });
+          costs[i] = total(values);
+          each_seen([&](std::size_t s) {
+            std::copy_n(&before[s * count], count, &values[s * count]);
+          });
+          if (changes[i].in != Change::kNobody) own[changes[i].in] = w[changes[i].in];
+          if (changes[i].out != Change::kNobody)
+            own[changes[i].out] = w[changes[i].out];
+        };
+  });
   return costs;
 }
 

@@ -1,7 +1,5 @@
 #include "delos/field/adaptive.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "delos/parallel/each.h"
 #include "field/adaptive_state.h"
 #include "field/volume_points.h"
 #include "rig/sight.h"
@@ -45,7 +44,7 @@ AdaptiveField::State::State(const System& s, const AdaptiveSampling& a,
       turns(rotations(o)),
       metric(m),
       options(given),
-      threads(given.field.threads > 0 ? given.field.threads : omp_get_max_threads()),
+      threads(thread_count(given.field.threads)),
       solver(make_steady_solver(system, given.field.solver)),
       sightings(system),
       tree({a.min, a.max}, a.depth),

@@ -1,13 +1,11 @@
 // How an octree grows: observe, estimate, mark, halve.
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "delos/model/infinity.h"
+#include "delos/parallel/each.h"
 #include "field/adaptive_state.h"
-#include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
@@ -38,22 +36,21 @@ bool AdaptiveField::State::observe_level(Octree::Index first_cell) {
   views.follow(tree, threads);
   const std::size_t before = store.nodes(), all = tree.nodes();
   value.resize(all);
-  std::vector<PlaceEvaluator> evaluate(static_cast<std::size_t>(threads), evaluator());
-  std::atomic<std::size_t> done = before;
-  const auto stop = [this, first_cell] {
+  LoopOptions loop{.threads = threads};
+  loop.stop = [this, first_cell] {
     return cancelled() || (first_cell > 0 && out_of_time());
   };
-  store.follow(tree, views, first_cell, threads, stop,
-               [&](const NodeStore::Observed& at) {
-                 const int thread = omp_get_thread_num();
-                 evaluate[static_cast<std::size_t>(thread)](
-                     at.count, at.layers, at.poses, &value[at.first_node]);
-                 done += at.count;
-                 if (options.field.progress && thread == 0) {
-                   options.field.progress(done * turns.size(), all * turns.size());
-                 }
-               });
-  if (done != all) return false;
+  if (options.field.progress)
+    loop.progress = [&](std::size_t blocks) {
+      options.field.progress(std::min(before + blocks * kLanes, all) * turns.size(),
+                             all * turns.size());
+    };
+  const bool whole = store.follow(tree, views, first_cell, loop, [&] {
+    return [this, evaluate = evaluator()](const NodeStore::Observed& at) mutable {
+      evaluate(at.count, at.layers, at.poses, &value[at.first_node]);
+    };
+  });
+  if (!whole) return false;
   evaluations += (all - before) * turns.size();
   for (std::size_t n = before; n < tree.nodes(); ++n) {
     const auto node = static_cast<Octree::Index>(n);
@@ -68,14 +65,9 @@ std::vector<PoseValue> AdaptiveField::State::solve(std::span<const Query> querie
                                                    Fill&& fill) const {
   std::vector<PoseValue> values(queries.size());
   const std::size_t blocks = (queries.size() + kLanes - 1) / kLanes;
-  FirstFailure failure;
-#pragma omp parallel num_threads(threads)
-  {
-    PlaceEvaluator evaluate = evaluator();
-    LayerBlock block;
-    std::vector<TargetPose> poses(kLanes);
-#pragma omp for schedule(dynamic)
-    for (std::size_t b = 0; b < blocks; ++b) {
+  each_with(blocks, {.threads = threads}, [&] {
+    return [&, evaluate = evaluator(), block = LayerBlock{},
+            poses = std::vector<TargetPose>(kLanes)](std::size_t b) mutable {
       const std::size_t first = b * kLanes;
       const std::size_t count = std::min<std::size_t>(kLanes, queries.size() - first);
       const auto layers = [&](std::size_t turn) -> const LayerBlock& {
@@ -83,15 +75,13 @@ std::vector<PoseValue> AdaptiveField::State::solve(std::span<const Query> querie
         return block;
       };
       const auto at = [&](std::size_t turn) {
-        for (std::size_t l = 0; l < count; ++l) {
+        for (std::size_t l = 0; l < count; ++l)
           poses[l] = {turns[turn], queries[first + l].p};
-        }
         return poses.data();
       };
-      failure.guard([&] { evaluate(count, layers, at, &values[first]); });
-    }
-  }
-  failure.rethrow();
+      evaluate(count, layers, at, &values[first]);
+    };
+  });
   return values;
 }
 

@@ -1,9 +1,7 @@
 #include "field/cell_views.h"
 
-#include <omp.h>
-
+#include "delos/parallel/each.h"
 #include "observe/lever.h"
-#include "parallel/first_failure.h"
 
 namespace delos {
 
@@ -54,11 +52,8 @@ void CellViews::follow(const Octree& tree, int threads) {
   for (; first < cells && tree.cells()[first].level == 0; ++first) {
     decide_all(static_cast<Octree::Index>(first));
   }
-  FirstFailure failure;
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-  for (std::size_t c = first; c < cells; ++c)
-    failure.guard([&] { decide_all(static_cast<Octree::Index>(c)); });
-  failure.rethrow();
+  each(cells - first, {.threads = threads, .grain = 16},
+       [&](std::size_t c) { decide_all(static_cast<Octree::Index>(first + c)); });
 }
 
 }  // namespace delos

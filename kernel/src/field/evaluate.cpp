@@ -1,7 +1,5 @@
 #include "delos/field/evaluate.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,9 +9,9 @@
 
 #include "delos/model/infinity.h"
 #include "delos/model/metric_expression.h"
+#include "delos/parallel/each.h"
 #include "field/place_evaluator.h"
 #include "field/surface_normals.h"
-#include "parallel/first_failure.h"
 #include "rig/sight.h"
 
 namespace delos {
@@ -135,40 +133,35 @@ Field evaluate_chunks(const System& system, Samples given,
     normals.resize(chunks * kLanes, normals.back());
   }
   std::vector<unsigned char> done(chunks, 0);
-  std::atomic<std::size_t> chunks_done = 0;
-  FirstFailure failure;
 
-  field.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-#pragma omp parallel num_threads(field.threads)
-  {
-    PlaceEvaluator evaluate(*solver, system, metric, orientations.combine, turns);
-    auto layers = make_layers(samples);
-    PoseValue values[kLanes];
-#pragma omp for schedule(dynamic)
-    for (std::size_t c = 0; c < chunks; ++c) {
-      if (options.cancel && options.cancel->load(std::memory_order_relaxed)) continue;
-      failure.guard([&] {
-        layers.move_to(c);
-        evaluate(
-            kLanes,
-            [&](std::size_t turn) -> const LayerBlock& { return layers.block(turn); },
-            [&](std::size_t turn) { return layers.poses(turn); }, values,
-            normals.empty() ? nullptr : &normals[c * kLanes]);
-        const std::size_t first = c * kLanes;
-        for (std::size_t p = first; p < std::min(first + kLanes, points); ++p) {
-          field.value[p] = values[p - first].value;
-          field.observable[p] = values[p - first].observable;
-          field.lost[p] = static_cast<unsigned char>(values[p - first].lost);
-        }
-        done[c] = 1;
-      });
-      const std::size_t so_far = ++chunks_done;
-      if (options.progress && omp_get_thread_num() == 0) {
-        options.progress(std::min(so_far * kLanes, points) * turns, points * turns);
+  field.threads = thread_count(options.threads);
+  LoopOptions loop{.threads = field.threads};
+  if (options.cancel)
+    loop.stop = [&] { return options.cancel->load(std::memory_order_relaxed); };
+  if (options.progress)
+    loop.progress = [&](std::size_t so_far) {
+      options.progress(std::min(so_far * kLanes, points) * turns, points * turns);
+    };
+  each_with(chunks, loop, [&] {
+    return [&, layers = make_layers(samples),
+            evaluate = PlaceEvaluator(*solver, system, metric, orientations.combine,
+                                      turns)](std::size_t c) mutable {
+      PoseValue values[kLanes];
+      layers.move_to(c);
+      evaluate(
+          kLanes,
+          [&](std::size_t turn) -> const LayerBlock& { return layers.block(turn); },
+          [&](std::size_t turn) { return layers.poses(turn); }, values,
+          normals.empty() ? nullptr : &normals[c * kLanes]);
+      const std::size_t first = c * kLanes;
+      for (std::size_t p = first; p < std::min(first + kLanes, points); ++p) {
+        field.value[p] = values[p - first].value;
+        field.observable[p] = values[p - first].observable;
+        field.lost[p] = static_cast<unsigned char>(values[p - first].lost);
       }
-    }
-  }
-  failure.rethrow();
+      done[c] = 1;
+    };
+  });
 
   const auto reached =
       static_cast<std::size_t>(std::find(done.begin(), done.end(), 0) - done.begin());

@@ -1,13 +1,11 @@
 #include "field/node_store.h"
 
-#include <omp.h>
-
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 
 #include "observe/point_rows.h"
-#include "parallel/first_failure.h"
 
 namespace delos {
 
@@ -24,9 +22,9 @@ void NodeStore::shrink(std::size_t nodes) {
   flags_.resize(nodes * turns() * sightings_.all.size());
 }
 
-void NodeStore::follow(const Octree& tree, const CellViews& views,
-                       Octree::Index first_cell, int threads,
-                       const std::function<bool()>& stop, const Use& use) {
+bool NodeStore::follow(const Octree& tree, const CellViews& views,
+                       Octree::Index first_cell, const LoopOptions& loop,
+                       const std::function<Use()>& make_use) {
   const std::size_t first = nodes_, count = sightings_.all.size();
   const std::size_t fresh = tree.nodes() - first;
   // What the new cells know of the sight lines to their corners:
@@ -48,18 +46,14 @@ void NodeStore::follow(const Octree& tree, const CellViews& views,
 
   shrink(tree.nodes());
   const std::size_t blocks = (fresh + kLanes - 1) / kLanes;
-  std::uint64_t rays = 0, saved = 0;
-  FirstFailure failure;
-#pragma omp parallel num_threads(threads) reduction(+ : rays, saved)
-  {
-    LayerBlock block;
-    std::vector<TargetPose> poses;
-    std::vector<Sight> of_block(count * kLanes);
-#pragma omp for schedule(dynamic)
-    for (std::size_t b = 0; b < blocks; ++b) {
-      if (stop()) continue;
+  std::atomic<std::uint64_t> rays = 0, saved = 0;
+  const bool whole = each_with(blocks, loop, [&] {
+    return [&, use = make_use(), block = LayerBlock{},
+            poses = std::vector<TargetPose>(),
+            of_block = std::vector<Sight>(count * kLanes)](std::size_t b) mutable {
       const std::size_t begin = b * kLanes;
       const std::size_t lanes = std::min<std::size_t>(kLanes, fresh - begin);
+      std::uint64_t rays_here = 0, saved_here = 0;
       const auto layers = [&](std::size_t turn) -> const LayerBlock& {
         poses.clear();
         for (std::size_t l = 0; l < lanes; ++l) {
@@ -70,17 +64,18 @@ void NodeStore::follow(const Octree& tree, const CellViews& views,
                 known[((begin + l) * turns() + turn) * count + s];
           }
         }
-        observe(first + begin, turn, poses, of_block.data(), block, rays, saved);
+        observe(first + begin, turn, poses, of_block.data(), block, rays_here,
+                saved_here);
         return block;
       };
-      failure.guard([&] {
-        use({first + begin, lanes, layers, [&](std::size_t) { return poses.data(); }});
-      });
-    }
-  }
-  failure.rethrow();
+      use({first + begin, lanes, layers, [&](std::size_t) { return poses.data(); }});
+      rays += rays_here;
+      saved += saved_here;
+    };
+  });
   rays_ += rays;
   rays_saved_ += saved;
+  return whole;
 }
 
 void NodeStore::observe(std::size_t first_node, std::size_t turn,

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "delos/parallel/each.h"
 #include "delos/sampling/octree.h"
 #include "field/cell_views.h"
 #include "layers/block.h"
@@ -35,7 +36,7 @@ class NodeStore {
   }
 
   /// What is to be done with up to kLanes new nodes: both functions give, for an
-  /// orientation, what was observed there. Called from many threads.
+  /// orientation, what was observed there.
   struct Observed {
     std::size_t first_node, count;
     std::function<const LayerBlock&(std::size_t turn)> layers;
@@ -43,13 +44,13 @@ class NodeStore {
   };
   using Use = std::function<void(const Observed&)>;
 
-  /// Observe the nodes that the tree has gained.
+  /// Observe the nodes that the tree has gained, kLanes at a time.
   /// @param first_cell the cells from here on are new: what they see as a whole spares
   ///        rays
-  /// @param stop asked before each block: true ends early, and the store must then be
-  ///        shrunk
-  void follow(const Octree& tree, const CellViews& views, Octree::Index first_cell,
-              int threads, const std::function<bool()>& stop, const Use& use);
+  /// @param make_use makes what each thread does with them
+  /// @returns whether all were observed; where it was stopped, the store must be shrunk
+  bool follow(const Octree& tree, const CellViews& views, Octree::Index first_cell,
+              const LoopOptions& loop, const std::function<Use()>& make_use);
 
   /// Forget the nodes from `nodes` on.
   void shrink(std::size_t nodes);

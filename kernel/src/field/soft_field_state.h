@@ -2,16 +2,14 @@
 // soft_field.cpp.
 #pragma once
 
-#include <omp.h>
-
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "delos/field/soft_field.h"
 #include "delos/model/lanes.h"
+#include "delos/parallel/each.h"
 #include "observe/soft_information.h"
-#include "parallel/first_failure.h"
 #include "steady/metric_slope.h"
 
 namespace delos {
@@ -84,11 +82,7 @@ struct SoftField::State {
   /// body(chunk) on all threads.
   template <class Body>
   void each_chunk(Body&& body) const {
-    FirstFailure failure;
-    const int count = threads > 0 ? threads : omp_get_max_threads();
-#pragma omp parallel for schedule(dynamic) num_threads(count)
-    for (std::size_t c = 0; c < chunks(); ++c) failure.guard([&] { body(c); });
-    failure.rethrow();
+    each(chunks(), {.threads = threads}, body);
   }
   template <class Body>
   void each_point(std::size_t chunk, Body&& body) const {

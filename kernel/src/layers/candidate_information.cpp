@@ -1,15 +1,13 @@
 #include "delos/layers/candidate_information.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "delos/model/lanes.h"
+#include "delos/parallel/each.h"
 #include "layers/beacon_owners.h"
 #include "observe/measure.h"
-#include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
@@ -141,41 +139,33 @@ CandidateInformation candidate_information(const System& system,
   constexpr std::size_t kChunk = 16;
   const std::size_t chunks = (poses.size() + kChunk - 1) / kChunk;
   std::vector<CandidateInformation> parts(chunks);
-  FirstFailure failure;
-  const int count = threads > 0 ? threads : omp_get_max_threads();
-#pragma omp parallel num_threads(count)
-  {
-    MeasureScratch scratch;
-    PoseEntries entries(system, all.candidates.size(), readings);
-#pragma omp for schedule(dynamic)
-    for (std::size_t c = 0; c < chunks; ++c) {
-      failure.guard([&] {
-        CandidateInformation& part = parts[c];
-        const std::size_t end = std::min(poses.size(), (c + 1) * kChunk);
-        for (std::size_t p = c * kChunk; p < end; ++p) {
-          entries.clear();
-          observe(system, all, owners, poses[p], scratch, entries);
-          entries.sort();
-          part.always.insert(part.always.end(), entries.always.begin(),
-                             entries.always.end());
-          part.first.push_back(entries.seen.size());
-          part.candidate.insert(part.candidate.end(), entries.seen.begin(),
-                                entries.seen.end());
-          part.information.insert(part.information.end(), entries.information.begin(),
-                                  entries.information.end());
-          part.first_exact.push_back(entries.exact.size());
-          part.exact.insert(part.exact.end(), entries.exact.begin(),
-                            entries.exact.end());
-          part.first_reading.push_back(entries.reader.size());
-          part.reader.insert(part.reader.end(), entries.reader.begin(),
-                             entries.reader.end());
-          part.readings.insert(part.readings.end(), entries.readings.begin(),
-                               entries.readings.end());
-        }
-      });
-    }
-  }
-  failure.rethrow();
+  each_with(chunks, {.threads = threads}, [&] {
+    return [&, scratch = MeasureScratch(),
+            entries = PoseEntries(system, all.candidates.size(), readings)](
+               std::size_t c) mutable {
+      CandidateInformation& part = parts[c];
+      const std::size_t end = std::min(poses.size(), (c + 1) * kChunk);
+      for (std::size_t p = c * kChunk; p < end; ++p) {
+        entries.clear();
+        observe(system, all, owners, poses[p], scratch, entries);
+        entries.sort();
+        part.always.insert(part.always.end(), entries.always.begin(),
+                           entries.always.end());
+        part.first.push_back(entries.seen.size());
+        part.candidate.insert(part.candidate.end(), entries.seen.begin(),
+                              entries.seen.end());
+        part.information.insert(part.information.end(), entries.information.begin(),
+                                entries.information.end());
+        part.first_exact.push_back(entries.exact.size());
+        part.exact.insert(part.exact.end(), entries.exact.begin(), entries.exact.end());
+        part.first_reading.push_back(entries.reader.size());
+        part.reader.insert(part.reader.end(), entries.reader.begin(),
+                           entries.reader.end());
+        part.readings.insert(part.readings.end(), entries.readings.begin(),
+                             entries.readings.end());
+      }
+    };
+  });
 
   CandidateInformation whole;
   whole.columns = information_size(system);

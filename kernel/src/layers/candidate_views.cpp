@@ -1,14 +1,12 @@
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <set>
 
 #include "delos/layers/candidate_information.h"
+#include "delos/parallel/each.h"
 #include "layers/beacon_owners.h"
 #include "layers/pose_views.h"
 #include "observe/beacon_sightings.h"
-#include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
@@ -83,33 +81,26 @@ CandidateViews candidate_views(const System& system, const CandidateScene& all,
 
   const PoseTrees trees(poses);
   std::vector<ViewChunk> chunks(all.candidates.size() / kChunk + 1);
-  std::atomic<std::size_t> done = 0;
   std::atomic<bool> stopped = false;
-  FirstFailure failure;
-  const int count = threads > 0 ? threads : omp_get_max_threads();
-#pragma omp parallel num_threads(count)
-  {
-    PoseViews own(system, trees);
-#pragma omp for schedule(dynamic, 1)
-    for (std::size_t k = 0; k < chunks.size(); ++k) {
-      if (stopped) continue;
-      failure.guard([&] {
-        const std::size_t end = std::min(all.candidates.size(), (k + 1) * kChunk);
-        for (std::size_t c = k * kChunk; c < end; ++c) {
-          if (device_of[c] < system.devices.size())
-            own.append(system.devices[device_of[c]], chunks[k].poses);
-          else
-            chunks[k].poses.insert(chunks[k].poses.end(), by_beacons[c].begin(),
-                                   by_beacons[c].end());
-          chunks[k].ends.push_back(chunks[k].poses.size());
-        }
-        const double part =
-            static_cast<double>(++done) / static_cast<double>(chunks.size());
-        if (omp_get_thread_num() == 0 && go_on && !go_on(part)) stopped = true;
-      });
-    }
-  }
-  failure.rethrow();
+  LoopOptions loop{.threads = threads, .stop = [&] { return stopped.load(); }};
+  if (go_on)
+    loop.progress = [&](std::size_t done) {
+      if (!go_on(static_cast<double>(done) / static_cast<double>(chunks.size())))
+        stopped = true;
+    };
+  each_with(chunks.size(), loop, [&] {
+    return [&, own = PoseViews(system, trees)](std::size_t k) mutable {
+      const std::size_t end = std::min(all.candidates.size(), (k + 1) * kChunk);
+      for (std::size_t c = k * kChunk; c < end; ++c) {
+        if (device_of[c] < system.devices.size())
+          own.append(system.devices[device_of[c]], chunks[k].poses);
+        else
+          chunks[k].poses.insert(chunks[k].poses.end(), by_beacons[c].begin(),
+                                 by_beacons[c].end());
+        chunks[k].ends.push_back(chunks[k].poses.size());
+      }
+    };
+  });
   if (stopped) return {};
 
   PoseViews own(system, trees);

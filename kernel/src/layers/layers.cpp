@@ -1,13 +1,11 @@
 #include "delos/layers/layers.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "delos/parallel/each.h"
 #include "layers/block.h"
 #include "observe/measure.h"
-#include "parallel/first_failure.h"
 
 namespace delos {
 namespace {
@@ -64,12 +62,8 @@ void InformationLayers::fill_all() {
   blocks_.clear();
   if (!kept_) return;
   blocks_.resize(block_count());
-  const int threads = options_.threads > 0 ? options_.threads : omp_get_max_threads();
-  FirstFailure failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    failure.guard([&] { fill(b, blocks_[b]); });
-  failure.rethrow();
+  each(blocks_.size(), {.threads = options_.threads},
+       [&](std::size_t b) { fill(b, blocks_[b]); });
 }
 
 std::size_t InformationLayers::update(const System& system) {
@@ -95,20 +89,13 @@ std::size_t InformationLayers::update(const System& system) {
                                      [&](std::size_t i) { return i / kGroup == g; });
     if (touched || reweighted) groups.push_back(g);
   }
-  const int threads = options_.threads > 0 ? options_.threads : omp_get_max_threads();
-  FirstFailure failure;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    failure.guard([&] {
-      for (const std::size_t i : changed) {
-        observe_device(system_, *shape_, i, poses_of(b), blocks_[b]);
-      }
-      for (const std::size_t g : groups) sum_group(*shape_, g, blocks_[b]);
-      sum_total(*shape_, blocks_[b]);
-      check_total(system_, *shape_, blocks_[b]);
-    });
-  }
-  failure.rethrow();
+  each(blocks_.size(), {.threads = options_.threads}, [&](std::size_t b) {
+    for (const std::size_t i : changed)
+      observe_device(system_, *shape_, i, poses_of(b), blocks_[b]);
+    for (const std::size_t g : groups) sum_group(*shape_, g, blocks_[b]);
+    sum_total(*shape_, blocks_[b]);
+    check_total(system_, *shape_, blocks_[b]);
+  });
   return changed.size();
 }
 
@@ -130,15 +117,13 @@ InformationLayers InformationLayers::without(std::size_t device) const {
     std::copy(at + static_cast<std::ptrdiff_t>(each), from.end(),
               to.begin() + (at - from.begin()));
   };
-  const int threads = options_.threads > 0 ? options_.threads : omp_get_max_threads();
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  each(blocks_.size(), {.threads = options_.threads}, [&](std::size_t b) {
     clear_block(*out.shape_, blocks_[b].lanes, out.blocks_[b]);
     skip(blocks_[b].layers, shape_->stride, out.blocks_[b].layers);
     skip(blocks_[b].seen, 1, out.blocks_[b].seen);
     skip(blocks_[b].perfect, 1, out.blocks_[b].perfect);
     sum_layers(*out.shape_, out.blocks_[b]);
-  }
+  });
   return out;
 }
 

@@ -1,12 +1,10 @@
 #include "delos/observe/beacon_use.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cstdint>
 
+#include "delos/parallel/each.h"
 #include "observe/beacon_sightings.h"
-#include "parallel/first_failure.h"
 #include "text/numbers.h"
 
 namespace delos {
@@ -83,33 +81,25 @@ std::vector<SeenBeacon> seen_beacons(const System& system, const TargetPose& pos
 
 BeaconUse beacon_use(const System& system, const std::vector<TargetPose>& poses,
                      int threads) {
-  std::size_t beacons = 0, views = 0, sightings = 0;
-  FirstFailure failure;
-  if (threads == 0) threads = omp_get_max_threads();
-#pragma omp parallel num_threads(threads) reduction(+ : beacons, views, sightings)
-  {
-    BeaconSearch search;
-    std::vector<std::uint32_t> used, through;
-#pragma omp for schedule(dynamic, 16)
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      failure.guard([&] {
-        for (const PlacedDevice& placed : system.devices) {
-          if (!placed.sees_beacons()) continue;
-          used.clear();
-          through.clear();
-          for (const BeaconSighting& s : search.see(system, placed, poses[i]).all) {
-            if (s.share == 0) continue;
-            used.push_back(s.beacon);
-            through.push_back(static_cast<std::uint32_t>(s.view));
-          }
-          sightings += used.size();
-          beacons += distinct(used);
-          views += distinct(through);
+  std::atomic<std::size_t> beacons = 0, views = 0, sightings = 0;
+  each_with(poses.size(), {.threads = threads, .grain = 16}, [&] {
+    return [&, search = BeaconSearch(), used = std::vector<std::uint32_t>(),
+            through = std::vector<std::uint32_t>()](std::size_t i) mutable {
+      for (const PlacedDevice& placed : system.devices) {
+        if (!placed.sees_beacons()) continue;
+        used.clear();
+        through.clear();
+        for (const BeaconSighting& s : search.see(system, placed, poses[i]).all) {
+          if (s.share == 0) continue;
+          used.push_back(s.beacon);
+          through.push_back(static_cast<std::uint32_t>(s.view));
         }
-      });
-    }
-  }
-  failure.rethrow();
+        sightings += used.size();
+        beacons += distinct(used);
+        views += distinct(through);
+      }
+    };
+  });
   const auto mean = [&](std::size_t sum) {
     return poses.empty() ? 0.0
                          : static_cast<double>(sum) / static_cast<double>(poses.size());

@@ -1,18 +1,17 @@
 #include "delos/simulation/simulate.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
+#include "delos/parallel/in_order.h"
 #include "model/lower_root.h"
 #include "observe/shared_noise.h"
-#include "parallel/first_failure.h"
 #include "simulation/expectation.h"
 #include "simulation/given_states.h"
 #include "simulation/tally.h"
@@ -93,6 +92,34 @@ class KeptSums {
   const SimulationOptions& options_;
   bool whole_ = true;
   std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
+};
+
+/// The runs of a chunk, one after the other.
+class ChunkOfRuns {
+ public:
+  ChunkOfRuns(const Tally& empty, const TrackRuns& runs, std::size_t wanted,
+              std::function<bool()> stopped)
+      : part_(empty),
+        memory_{empty},
+        runs_(runs),
+        wanted_(wanted),
+        stopped_(std::move(stopped)) {}
+
+  void operator()(std::size_t chunk) {
+    part_.clear();
+    if (stopped_()) return;
+    const std::size_t end = std::min(wanted_, (chunk + 1) * kRunsTogether);
+    for (std::size_t r = chunk * kRunsTogether; r < end; ++r)
+      runs_.run(r, memory_, part_);
+  }
+  [[nodiscard]] const Tally& part() const { return part_; }
+
+ private:
+  Tally part_;
+  TrackRuns::Memory memory_;
+  const TrackRuns& runs_;
+  std::size_t wanted_;
+  std::function<bool()> stopped_;
 };
 
 void check_simulated(const System& system, const SimulationOptions& options) {
@@ -205,7 +232,6 @@ Simulation simulate(const System& system, const TargetPose& about,
   Tally sums(expected, instants, n, N);
   const auto wanted = static_cast<std::size_t>(options.runs);
   const std::size_t chunks = (wanted + kRunsTogether - 1) / kRunsTogether;
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
   if (!options.resume.empty() &&
       !(read_bytes(options.resume, sums) && sums.runs <= wanted &&
         sums.runs % kRunsTogether == 0))
@@ -213,30 +239,18 @@ Simulation simulate(const System& system, const TargetPose& about,
         "what was saved isn't of these runs, or of more of them than are asked for");
   const std::size_t done_before = sums.runs / kRunsTogether;
   KeptSums kept(options);
-  FirstFailure failure;
   const auto stopped = [&] { return options.cancel && *options.cancel; };
-#pragma omp parallel num_threads(threads)
-  {
-    Tally part(expected, instants, n, N);
-    TrackRuns::Memory memory{Tally(expected, instants, n, N)};
-#pragma omp for ordered schedule(static, 1)
-    for (std::size_t c = done_before; c < chunks; ++c) {
-      part.clear();
-      failure.guard([&] {
-        if (stopped()) return;
-        const std::size_t end = std::min(wanted, (c + 1) * kRunsTogether);
-        for (std::size_t r = c * kRunsTogether; r < end; ++r) runs.run(r, memory, part);
-      });
-#pragma omp ordered
-      {
-        kept.before_adding(part, sums);
-        sums.add(part);
+  each_in_order(
+      done_before, chunks, options.threads,
+      [&] {
+        return ChunkOfRuns(Tally(expected, instants, n, N), runs, wanted, stopped);
+      },
+      [&](std::size_t, const ChunkOfRuns& chunk) {
+        kept.before_adding(chunk.part(), sums);
+        sums.add(chunk.part());
         if (options.progress) options.progress(sums.runs, wanted);
-      }
-    }
-  }
+      });
   kept.finish(sums);
-  failure.rethrow();
   done.runs = sums.runs;
   done.cancelled = sums.runs < wanted;
   done.lost = sums.lost;

@@ -11,13 +11,16 @@ namespace delos {
 /// loop.
 class FirstFailure {
  public:
+  /// @returns whether the body came to its end
   template <class Body>
-  void guard(Body&& body) {
+  bool guard(Body&& body) {
     try {
       std::forward<Body>(body)();
+      return true;
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!first_) first_ = std::current_exception();
+      return false;
     }
   }
   void rethrow() const {
