@@ -13,6 +13,7 @@
 #include "evaluation.h"
 #include "json.h"
 #include "report/simulation_chart.h"
+#include "session/joined_crew.h"
 #include "session/kept_simulation.h"
 #include "session/named.h"
 #include "session/simulation_answer.h"
@@ -198,14 +199,27 @@ void write_out(const SimulateCommand& command, const SimulationAnswer& answer,
     throw Failure{kDiagnostics, problem};
 }
 
+SimulationAnswer answered(const LoadedScene& loaded, const SimulatedPlace& place,
+                          const SimulationOptions& options, PluginRegistry& plugins,
+                          Crew* crew) {
+  try {
+    return session::answer_simulation(loaded, place, options, plugins, crew);
+  } catch (const std::runtime_error& failure) {
+    if (!crew) throw;
+    throw Failure{kDiagnostics, failure.what()};
+  }
+}
+
 int run(const SimulateCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
+  const session::JoinedCrew crew(command.options.threads);
+  if (crew.served(plugins)) return kDone;
   SimulationOptions options;
   options.filter = read_option([&] { return session::filter_named(command.filter); });
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   options.runs = command.runs;
   options.seed = command.seed;
-  options.threads = command.options.threads;
+  options.threads = crew.threads();
   if (!command.seconds.empty()) {
     const auto value = parse_quantity(command.seconds, "s");
     if (const auto* problem = std::get_if<std::string>(&value))
@@ -236,7 +250,7 @@ int run(const SimulateCommand& command) {
     options.progress = [&](std::size_t done, std::size_t of) {
       progress.update(done, of);
     };
-    answers.push_back(session::answer_simulation(loaded, place, options));
+    answers.push_back(answered(loaded, place, options, plugins, crew.get()));
     const SimulationAnswer& answer = answers.back();
     refused = refused && !answer.simulation;
     cancelled = cancelled || (answer.simulation && answer.simulation->cancelled);
@@ -290,6 +304,7 @@ void add_simulate_command(CLI::App& program, int& exit_code) {
       "  delos simulate scenes/01-acoustic.yaml --at 0.2,0.2,0.4 --runs 100000 "
       "--keep runs.bin\n"
       "  delos simulate scenes/05-optitrack-lab.yaml --at 0,0,1.5 --filter unscented\n"
+      "  mpirun -n 8 delos simulate scenes/01-acoustic.yaml --runs 100000\n"
       "  delos simulate scenes/05-optitrack-lab.yaml --path scenes/data/walk/walk.csv "
       "\\\n"
       "    --out walk.svg");

@@ -127,10 +127,13 @@ GivenPath given_path(const std::vector<PathRow>& rows) {
 
 SimulationAnswer answer_simulation(const LoadedScene& loaded,
                                    const SimulatedPlace& place,
-                                   const SimulationOptions& options) {
+                                   const SimulationOptions& options,
+                                   PluginRegistry& plugins, Crew* crew) {
   SimulationAnswer answer{place, std::nullopt, {}};
   try {
-    answer.simulation = simulate(loaded.system, place.pose, options);
+    answer.simulation =
+        crew ? simulate_with_crew(loaded.scene, place.pose, plugins, options, *crew)
+             : simulate(loaded.system, place.pose, options);
   } catch (const std::invalid_argument& error) {
     answer.problem = error.what();
   }

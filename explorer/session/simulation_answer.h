@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "delos/field/field.h"
+#include "delos/optimize/crew.h"
 #include "delos/scene/path_file.h"
 #include "delos/simulation/simulate.h"
 #include "session/json.h"
@@ -32,10 +33,14 @@ struct SimulationAnswer {
 };
 
 /// Simulate a scene at a place, or along a path that begins there.
+/// @param crew processes that share the runs, of which this is rank 0; or null
 /// @throws DeviceFault
+/// @throws std::runtime_error another process fails
 [[nodiscard]] SimulationAnswer answer_simulation(const LoadedScene& loaded,
                                                  const SimulatedPlace& place,
-                                                 const SimulationOptions& options);
+                                                 const SimulationOptions& options,
+                                                 PluginRegistry& plugins,
+                                                 Crew* crew = nullptr);
 
 /// Rows of a path as the kernel has them.
 [[nodiscard]] GivenPath given_path(const std::vector<PathRow>& rows);

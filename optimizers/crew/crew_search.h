@@ -1,6 +1,7 @@
 // A search by all processes of a crew.
 #pragma once
 
+#include "crew/bytes.h"
 #include "delos/optimize/optimize.h"
 
 namespace delos {
@@ -13,5 +14,8 @@ namespace delos {
 [[nodiscard]] OptimizeResult search_with_crew(const Scene& scene,
                                               PluginRegistry& plugins,
                                               const OptimizeOptions& options);
+
+/// Take part in the search that rank 0 asks for.
+void serve_search(ByteReader& job, Crew& crew, PluginRegistry& plugins, int threads);
 
 }  // namespace delos

@@ -101,7 +101,7 @@ py::object simulate(const py::object& scene, const py::object& at,
       watch.tell({done, of, std::nullopt});
     };
     const session::SimulationAnswer answer =
-        session::answer_simulation(hold->loaded, place, options);
+        session::answer_simulation(hold->loaded, place, options, plugins());
     if (!answer.simulation) throw Refusal(Blame::scene, answer.problem);
     return session::simulation_json({answer}, hold->loaded, options);
   }));

@@ -75,6 +75,24 @@ def test_a_front_gives_the_same():
     assert output(mpirun(2, *front)) == alone(*front)
 
 
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_a_simulation_gives_the_same(ranks):
+    runs = ["simulate", SCENES / "01-acoustic.yaml", "--runs", "1000", "--seconds", "0.4"]
+    assert output(mpirun(ranks, *runs, "--json")) == alone(*runs, "--json")
+
+
+def test_kept_runs_go_on_with_any_number_of_ranks(tmp_path):
+    def runs(count):
+        return [
+            *["simulate", SCENES / "01-acoustic.yaml", "--at", "0.2,0.2,0.4", "--runs"],
+            *[count, "--seconds", "0.4", "--json"],
+        ]
+
+    kept = ["--keep", tmp_path / "runs.bin"]
+    output(mpirun(2, *runs(300), *kept))
+    assert output(mpirun(3, *runs(900), *kept)) == alone(*runs(900))
+
+
 def test_a_killed_rank_ends_the_run_and_the_study_goes_on(tmp_path):
     scene = SCENES / "09-camera-room.yaml"
     whole = tmp_path / "whole.study"

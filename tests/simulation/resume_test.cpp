@@ -1,4 +1,8 @@
 // Simulations that were stopped go on as if nothing had been.
+#include <barrier>
+#include <functional>
+#include <thread>
+
 #include "simulation/simulated.h"
 
 namespace delos::test {
@@ -19,6 +23,31 @@ void expect_same(const Simulation& one, const Simulation& other) {
     EXPECT_EQ(one.instants[i].nis.mean, other.instants[i].nis.mean);
     EXPECT_EQ(one.instants[i].square, other.instants[i].square);
   }
+}
+
+/// Parts of a simulation as threads that wait for each other.
+std::vector<Simulation> in_parts(
+    std::size_t of, const System& system, const SimulationOptions& options,
+    const std::function<void(SimulationOptions&)>& change = {}) {
+  std::barrier meet(static_cast<std::ptrdiff_t>(of));
+  std::vector<std::string> said(of);
+  std::vector<Simulation> parts(of);
+  std::vector<std::thread> threads;
+  for (std::size_t index = 0; index < of; ++index) {
+    SimulationOptions own = options;
+    if (change) change(own);
+    own.parts = {index, of, [&, index](const std::string& mine) {
+                   said[index] = mine;
+                   meet.arrive_and_wait();
+                   std::vector<std::string> all = said;
+                   meet.arrive_and_wait();
+                   return all;
+                 }};
+    threads.emplace_back(
+        [&, index, own] { parts[index] = simulate(system, kResumed, own); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  return parts;
 }
 
 TEST(Resume, GivesTheSameBytesAsRunningThrough) {
@@ -44,6 +73,39 @@ TEST(Resume, GivesTheSameBytesAsRunningThrough) {
     };
     expect_same(simulate(system, kResumed, rest), through);
     EXPECT_GT(first_done, 16u);  // what was done isn't done again
+  }
+}
+
+/// What one process sums up alone, several do by parts, to the last byte; they go on
+/// from what was saved, too.
+TEST(Parts, GiveTheSameBytesAsOne) {
+  const System system = resumed_system();
+  std::string saved;
+  SimulationOptions few{.runs = 70, .seed = 9, .seconds = 0.2};
+  few.save = [&](const std::string& bytes) { saved = bytes; };
+  static_cast<void>(simulate(system, kResumed, few));
+  const SimulationOptions whole{.runs = 1300, .seed = 9, .seconds = 0.2, .threads = 1};
+  const Simulation alone = simulate(system, kResumed, whole);
+  for (const std::size_t of : {1u, 2u, 3u, 7u})
+    for (const std::string& before : {std::string(), saved}) {
+      SimulationOptions options = whole;
+      options.resume = before;
+      for (const Simulation& part : in_parts(of, system, options))
+        expect_same(part, alone);
+    }
+}
+
+TEST(Parts, StopTogether) {
+  const System system = resumed_system();
+  std::atomic<bool> cancel = true;
+  SimulationOptions options{.runs = 600, .seed = 9, .seconds = 0.2, .threads = 1};
+  std::size_t asked = 0;
+  for (const Simulation& part :
+       in_parts(2, system, options, [&](SimulationOptions& own) {
+         if (asked++ == 0) own.cancel = &cancel;
+       })) {
+    EXPECT_TRUE(part.cancelled);
+    EXPECT_EQ(part.runs, 0u);
   }
 }
 

@@ -2,27 +2,23 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
-#include "delos/parallel/in_order.h"
 #include "model/lower_root.h"
 #include "observe/shared_noise.h"
 #include "simulation/expectation.h"
 #include "simulation/given_states.h"
+#include "simulation/run_sums.h"
 #include "simulation/tally.h"
-#include "simulation/tally_bytes.h"
 #include "simulation/track_run.h"
 
 namespace delos {
 namespace {
 
 constexpr std::size_t kMostInstants = 5000;
-constexpr std::size_t kRunsTogether = 16;
 
 /// The mean over `runs` of what is χ² with `degrees` over all of them.
 Consistency consistency(double sum, double degrees, std::size_t runs) {
@@ -69,58 +65,6 @@ void each_bound(const MotionSteps& steps, const StateMatrix& root, const Tally& 
     take(i, false, P);
   }
 }
-
-/// Saves sums of whole chunks, in their order and none left out, every few seconds and
-/// at last.
-class KeptSums {
- public:
-  explicit KeptSums(const SimulationOptions& options) : options_(options) {}
-
-  void before_adding(const Tally& part, const Tally& sums) {
-    if (!whole_ || !options_.save) return;
-    whole_ = part.runs == kRunsTogether;
-    const auto now = std::chrono::steady_clock::now();
-    if (whole_ && now - saved_ < std::chrono::seconds(2)) return;
-    saved_ = now;
-    options_.save(bytes_of(sums));
-  }
-  void finish(const Tally& sums) {
-    if (whole_ && options_.save) options_.save(bytes_of(sums));
-  }
-
- private:
-  const SimulationOptions& options_;
-  bool whole_ = true;
-  std::chrono::steady_clock::time_point saved_ = std::chrono::steady_clock::now();
-};
-
-/// The runs of a chunk, one after the other.
-class ChunkOfRuns {
- public:
-  ChunkOfRuns(const Tally& empty, const TrackRuns& runs, std::size_t wanted,
-              std::function<bool()> stopped)
-      : part_(empty),
-        memory_{empty},
-        runs_(runs),
-        wanted_(wanted),
-        stopped_(std::move(stopped)) {}
-
-  void operator()(std::size_t chunk) {
-    part_.clear();
-    if (stopped_()) return;
-    const std::size_t end = std::min(wanted_, (chunk + 1) * kRunsTogether);
-    for (std::size_t r = chunk * kRunsTogether; r < end; ++r)
-      runs_.run(r, memory_, part_);
-  }
-  [[nodiscard]] const Tally& part() const { return part_; }
-
- private:
-  Tally part_;
-  TrackRuns::Memory memory_;
-  const TrackRuns& runs_;
-  std::size_t wanted_;
-  std::function<bool()> stopped_;
-};
 
 void check_simulated(const System& system, const SimulationOptions& options) {
   bool exposes = false;
@@ -230,27 +174,8 @@ Simulation simulate(const System& system, const TargetPose& about,
   const TrackRuns runs(system, about, expected, steps, instants, start, filter,
                        options.seed, options.path ? &given : nullptr);
   Tally sums(expected, instants, n, N);
+  add_runs(runs, Tally(expected, instants, n, N), options, sums);
   const auto wanted = static_cast<std::size_t>(options.runs);
-  const std::size_t chunks = (wanted + kRunsTogether - 1) / kRunsTogether;
-  if (!options.resume.empty() &&
-      !(read_bytes(options.resume, sums) && sums.runs <= wanted &&
-        sums.runs % kRunsTogether == 0))
-    throw std::invalid_argument(
-        "what was saved isn't of these runs, or of more of them than are asked for");
-  const std::size_t done_before = sums.runs / kRunsTogether;
-  KeptSums kept(options);
-  const auto stopped = [&] { return options.cancel && *options.cancel; };
-  each_in_order(
-      done_before, chunks, options.threads,
-      [&] {
-        return ChunkOfRuns(Tally(expected, instants, n, N), runs, wanted, stopped);
-      },
-      [&](std::size_t, const ChunkOfRuns& chunk) {
-        kept.before_adding(chunk.part(), sums);
-        sums.add(chunk.part());
-        if (options.progress) options.progress(sums.runs, wanted);
-      });
-  kept.finish(sums);
   done.runs = sums.runs;
   done.cancelled = sums.runs < wanted;
   done.lost = sums.lost;

@@ -20,6 +20,14 @@ struct GivenPath {
   std::vector<Eigen::Vector3d> p;  ///< in W, metres
 };
 
+/// The part of the runs that one of several processes makes, all of which simulate the
+/// same: each adds up the runs of all, to the bytes of one process alone.
+struct RunParts {
+  std::size_t index = 0, of = 1;
+  /// What each part says, to all of them, in order of index; waits for the slowest.
+  std::function<std::vector<std::string>(const std::string&)> exchange = {};
+};
+
 struct SimulationOptions {
   int runs = 1000;  ///< ≥ 2
   std::uint64_t seed = 1;
@@ -36,6 +44,8 @@ struct SimulationOptions {
   /// other threads, they go on to the same bytes as if nothing had been.
   std::function<void(const std::string&)> save = {};
   std::string resume = {};
+  RunParts parts = {};
+  /// Of any part: all of them stop.
   const std::atomic<bool>* cancel = nullptr;
 };
 
@@ -112,6 +122,7 @@ struct Simulation {
 /// @throws std::invalid_argument what can't be simulated, or has no P∞ there; as
 ///         make_steady_solver(); `resume` isn't of such runs, or of more of them
 /// @throws DeviceFault
+/// @throws std::runtime_error another part has failed
 [[nodiscard]] DELOS_API Simulation simulate(const System& system,
                                             const TargetPose& about,
                                             const SimulationOptions& options);

@@ -1,4 +1,4 @@
-// Processes that make one search together.
+// Processes that make one search, or one simulation, together.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "delos/plugin/registry.h"
+#include "delos/scene/scene.h"
+#include "delos/simulation/simulate.h"
 
 namespace delos {
 
@@ -32,12 +34,23 @@ class Crew {
   bool abandoned_ = false;
 };
 
-/// Take part in the searches of rank 0, whatever they are, until it dismisses.
+/// As simulate() of the scene's system, by rank 0, while the others serve(). Gives the
+/// bytes that one process gives.
+/// @param options without a filter of one's own
+/// @throws std::invalid_argument as simulate()
+/// @throws std::runtime_error another process has other plugins, or fails
+/// @throws DeviceFault
+[[nodiscard]] Simulation simulate_with_crew(const Scene& scene, const TargetPose& about,
+                                            PluginRegistry& plugins,
+                                            const SimulationOptions& options,
+                                            Crew& crew);
+
+/// Take part in what rank 0 asks for, whatever it is, until it dismisses.
 /// @pre rank > 0
 /// @throws std::runtime_error what another process has failed by
 void serve(Crew& crew, PluginRegistry& plugins, int threads);
 
-/// Rank 0 asks for no more searches.
+/// Rank 0 asks for nothing more.
 void dismiss(Crew& crew);
 
 }  // namespace delos
