@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "delos/scene/followers.h"
+
 namespace delos::session {
 
 Design::Design(std::filesystem::path file, LoadedScene loaded)
@@ -16,9 +18,21 @@ std::optional<Design> Design::open(const std::filesystem::path& file,
 
 bool Design::change(std::vector<Override> changes, const std::string& gesture,
                     PluginRegistry& plugins, Diagnostics& findings) {
-  History history = history_;
-  history.add(std::move(changes), gesture);
-  return take(history, plugins, findings);
+  const History before = history_;
+  const Scene scene = loaded_.scene;
+  const auto taken = [&] {
+    History history = before;
+    history.add(changes, gesture);
+    return take(history, plugins, findings);
+  };
+  if (!taken()) return false;
+  const std::vector<Override> more = following(scene, loaded_.scene, plugins);
+  if (more.empty()) return true;
+  changes.insert(changes.end(), more.begin(), more.end());
+  if (taken()) return true;
+  Diagnostics ignored;  // it was in order then
+  take(before, plugins, ignored);
+  return false;
 }
 
 bool Design::undo(PluginRegistry& plugins) {

@@ -24,7 +24,8 @@ class Design {
                                                   PluginRegistry& plugins,
                                                   Diagnostics& findings);
 
-  /// Change values together, as one step or a part of one.
+  /// Change values together, as one step or a part of one. What follows a variable of
+  /// the scene follows the change, as in a study.
   /// @param gesture as History::add()
   /// @returns false, with findings, where the scene would not be in order: it stays as
   ///          it was

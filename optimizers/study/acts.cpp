@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "delos/scene/followers.h"
 #include "delos/scene/io.h"
 #include "delos/scene/number.h"
 #include "delos/text/units.h"
@@ -59,19 +60,8 @@ void set(StudyPosition& now, const std::string& text,
                                 "': write PATH=VALUE, such as "
                                 "devices.c1.at.z=2.5");
   Scene other = changed(now.scene, {*change}, folder, plugins);
-  const auto number = [&](Scene& of, const std::string& path) {
-    return std::get<SceneNumber>(find_number(of, path, plugins)).value;
-  };
-  // What follows a variable follows a hand that moves it too.
-  for (const VariableEntry& v : now.scene.variables) {
-    const auto own = find_number(other, v.path, plugins);
-    if (!std::holds_alternative<SceneNumber>(own)) continue;
-    const double value = *std::get<SceneNumber>(own).value;
-    if (value == *number(now.scene, v.path)) continue;
-    for (const Follower& f : v.followers)
-      *number(other, f.path) = f.factor * value + f.offset;
-  }
-  now.scene = std::move(other);
+  const std::vector<Override> more = following(now.scene, other, plugins);
+  now.scene = more.empty() ? std::move(other) : changed(other, more, folder, plugins);
 }
 
 Eigen::Vector3d corner(const std::string& text) {
