@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "delos/model/infinity.h"
-#include "delos/output/ticks.h"
 #include "delos/text/format.h"
+#include "output/ticks.h"
 #include "report/svg.h"
 
 namespace delos::report {

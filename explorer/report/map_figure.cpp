@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "delos/output/ticks.h"
 #include "delos/text/format.h"
+#include "output/ticks.h"
 #include "report/svg.h"
 
 namespace delos::report {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "delos/field/field.h"
-#include "delos/output/map.h"
-#include "delos/output/marker.h"
+#include "output/map.h"
+#include "output/marker.h"
 #include "report/html.h"
 
 namespace delos::report {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "delos/output/ticks.h"
 #include "delos/sampling/samples.h"
+#include "output/ticks.h"
 #include "report/svg.h"
 #include "session/view_outline.h"
 

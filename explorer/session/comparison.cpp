@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "delos/model/metric_expression.h"
-#include "delos/output/write.h"
 #include "delos/scene/definition.h"
+#include "output/write.h"
 #include "session/refusal.h"
 #include "session/scene_field.h"
 

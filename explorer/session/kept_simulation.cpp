@@ -4,8 +4,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "delos/output/write.h"
 #include "delos/scene/io.h"
+#include "output/write.h"
 
 namespace delos::session {
 namespace {

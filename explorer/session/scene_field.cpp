@@ -1,7 +1,7 @@
 #include "session/scene_field.h"
 
 #include "delos/model/metric_expression.h"
-#include "delos/output/write.h"
+#include "output/write.h"
 
 namespace delos::session {
 

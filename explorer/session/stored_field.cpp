@@ -9,7 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "delos/output/write.h"
+#include "output/write.h"
 #include "session/json.h"
 
 namespace delos::session {

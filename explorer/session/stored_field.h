@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "delos/field/field.h"
-#include "delos/output/marker.h"
+#include "output/marker.h"
 
 namespace delos::session {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "delos/output/write.h"
+#include "output/write.h"
 #include "session/scene_field.h"
 
 namespace delos::session {

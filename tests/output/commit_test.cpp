@@ -4,8 +4,8 @@
 
 #include <csignal>
 
-#include "delos/output/write.h"
 #include "output/fields.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

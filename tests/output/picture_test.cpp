@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "delos/output/write.h"
 #include "output/fields.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "delos/output/write.h"
 #include "output/fields.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "delos/output/write.h"
 #include "output/fields.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

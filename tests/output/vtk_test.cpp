@@ -8,8 +8,8 @@
 #include <map>
 #include <sstream>
 
-#include "delos/output/write.h"
 #include "output/fields.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

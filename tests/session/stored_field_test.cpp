@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "delos/output/write.h"
+#include "output/write.h"
 #include "session/comparison.h"
 #include "session/refusal.h"
 #include "session/scene_field.h"

@@ -1,4 +1,4 @@
-#include "document/file_commit.h"
+#include "delos/document/file_commit.h"
 
 #include <unistd.h>
 

@@ -5,10 +5,10 @@
 #include <map>
 #include <numbers>
 
+#include "delos/text/number_text.h"
+#include "delos/text/numbers.h"
 #include "delos/text/units.h"
 #include "text/nearest.h"
-#include "text/number_text.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

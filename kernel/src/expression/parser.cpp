@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "delos/expression/expression.h"
+#include "delos/text/numbers.h"
 #include "delos/text/words.h"
 #include "text/nearest.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

@@ -10,9 +10,9 @@
 #include "delos/plugin/registry.h"
 #include "delos/scene/places.h"
 #include "delos/text/format.h"
+#include "delos/text/numbers.h"
 #include "delos/text/units.h"
 #include "rig/sight.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

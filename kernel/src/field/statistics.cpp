@@ -1,4 +1,4 @@
-#include "field/statistics.h"
+#include "delos/field/statistics.h"
 
 #include <algorithm>
 #include <cmath>

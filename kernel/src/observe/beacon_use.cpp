@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "delos/parallel/each.h"
+#include "delos/text/numbers.h"
 #include "observe/beacon_sightings.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

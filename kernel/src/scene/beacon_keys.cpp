@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "delos/sampling/samples.h"
+#include "delos/text/numbers.h"
 #include "document/node_text.h"
 #include "scene/point_file.h"
 #include "scene/sample_limit.h"
 #include "scene/sample_shapes.h"
 #include "scene/words.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "delos/document/file_commit.h"
 #include "document/extends.h"
-#include "document/file_commit.h"
 #include "document/file_text.h"
 #include "document/node_text.h"
 #include "document/override.h"

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 
 #include "delos/geometry/defects.h"
+#include "delos/text/number_text.h"
+#include "delos/text/numbers.h"
 #include "document/node_text.h"
-#include "text/number_text.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 
 #include "delos/model/symmetric.h"
+#include "delos/text/number_text.h"
+#include "delos/text/numbers.h"
 #include "delos/text/units.h"
-#include "text/number_text.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "delos/text/numbers.h"
 #include "document/file_text.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

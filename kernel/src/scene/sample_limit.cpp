@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "delos/sampling/samples.h"
+#include "delos/text/number_text.h"
+#include "delos/text/numbers.h"
 #include "delos/text/units.h"
-#include "text/number_text.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "delos/text/number_text.h"
 #include "document/node_text.h"
 #include "scene/body_keys.h"
 #include "scene/mesh_keys.h"
 #include "scene/point_file.h"
-#include "text/number_text.h"
 
 namespace delos {
 namespace {

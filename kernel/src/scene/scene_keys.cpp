@@ -4,6 +4,7 @@
 
 #include "delos/model/metric.h"
 #include "delos/scene/definition.h"
+#include "delos/text/number_text.h"
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/beacon_keys.h"
@@ -20,7 +21,6 @@
 #include "scene/surface_keys.h"
 #include "scene/target_keys.h"
 #include "scene/words.h"
-#include "text/number_text.h"
 
 namespace delos {
 namespace {

@@ -3,12 +3,12 @@
 #include "delos/sampling/samples.h"
 #include "delos/scene/candidates.h"
 #include "delos/scene/number.h"
+#include "delos/text/numbers.h"
 #include "delos/text/units.h"
 #include "document/node_text.h"
 #include "scene/sample_shapes.h"
 #include "scene/search_keys.h"
 #include "scene/words.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

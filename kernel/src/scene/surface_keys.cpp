@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "delos/text/numbers.h"
 #include "document/node_text.h"
 #include "scene/mesh_keys.h"
-#include "text/numbers.h"
 
 namespace delos {
 namespace {

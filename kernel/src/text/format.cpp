@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "text/number_text.h"
+#include "delos/text/number_text.h"
 
 namespace delos {
 namespace {

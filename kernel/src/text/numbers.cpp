@@ -1,4 +1,4 @@
-#include "text/numbers.h"
+#include "delos/text/numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "text/numbers.h"
+#include "delos/text/numbers.h"
 #include "text/unit_system.h"
 
 namespace delos {

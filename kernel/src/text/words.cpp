@@ -1,6 +1,6 @@
 #include "delos/text/words.h"
 
-#include "text/number_text.h"
+#include "delos/text/number_text.h"
 
 namespace delos {
 

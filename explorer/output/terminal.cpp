@@ -2,10 +2,10 @@
 #include <cmath>
 #include <string>
 
-#include "delos/output/write.h"
+#include "delos/text/number_text.h"
 #include "output/picture_words.h"
 #include "output/shading.h"
-#include "text/number_text.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

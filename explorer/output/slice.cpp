@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "delos/text/format.h"
-#include "text/number_text.h"
+#include "delos/text/number_text.h"
 
 namespace delos {
 namespace {

@@ -7,9 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "delos/api.h"
 #include "delos/field/field.h"
-#include "delos/output/marker.h"
+#include "output/marker.h"
 
 namespace delos {
 
@@ -39,29 +38,29 @@ struct PictureOptions {
 ///
 /// @returns empty, or a sentence that says why it was not written and what would be
 /// right.
-[[nodiscard]] DELOS_API std::string write_field(const Field& field,
-                                                const std::filesystem::path& file,
-                                                const PictureOptions& picture = {});
+[[nodiscard]] std::string write_field(const Field& field,
+                                      const std::filesystem::path& file,
+                                      const PictureOptions& picture = {});
 
 /// Write a text as it is, whole or not at all, as write_field() does.
 /// @returns empty, or a sentence that says why it was not written
-[[nodiscard]] DELOS_API std::string write_text(const std::filesystem::path& file,
-                                               std::string_view text);
+[[nodiscard]] std::string write_text(const std::filesystem::path& file,
+                                     std::string_view text);
 
 /// Empty where write_field() knows the suffix and can show this field; else why not.
 /// Asked before a long evaluation.
-[[nodiscard]] DELOS_API std::string writable(const Samples& samples,
-                                             const std::filesystem::path& file);
+[[nodiscard]] std::string writable(const Samples& samples,
+                                   const std::filesystem::path& file);
 
 /// The field as the contract's JSON document (`field --json`), indented, one newline at
 /// the end. Non-finite numbers never appear.
-[[nodiscard]] DELOS_API std::string field_json(const Field& field);
+[[nodiscard]] std::string field_json(const Field& field);
 
 /// A small picture of a slice for a terminal: half blocks in 24-bit colour, or shades
 /// of plain characters where `colour` is false. Lines end in newlines.
 /// @param columns width available, characters
 /// @returns empty where no volume or plane is among the samples
-[[nodiscard]] DELOS_API std::string terminal_picture(
-    const Field& field, int columns, bool colour, const PictureOptions& picture = {});
+[[nodiscard]] std::string terminal_picture(const Field& field, int columns, bool colour,
+                                           const PictureOptions& picture = {});
 
 }  // namespace delos

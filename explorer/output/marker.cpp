@@ -1,4 +1,4 @@
-#include "delos/output/marker.h"
+#include "output/marker.h"
 
 #include "delos/rig/system.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "text/number_text.h"
+#include "delos/text/number_text.h"
 
 namespace delos {
 

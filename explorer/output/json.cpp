@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "delos/output/write.h"
-#include "field/statistics.h"
-#include "text/number_text.h"
+#include "delos/field/statistics.h"
+#include "delos/text/number_text.h"
+#include "output/write.h"
 
 namespace delos {
 namespace {

@@ -4,7 +4,7 @@
 #include <iosfwd>
 
 #include "delos/field/field.h"
-#include "delos/output/write.h"
+#include "output/write.h"
 
 namespace delos {
 

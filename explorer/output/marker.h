@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "delos/api.h"
-
 namespace delos {
 
 struct Scene;
@@ -22,7 +20,6 @@ struct Marker {
 
 /// The devices that stand in the world. Those that are placed without a direction look
 /// all around.
-[[nodiscard]] DELOS_API std::vector<Marker> markers_of(const Scene& scene,
-                                                       const System& system);
+[[nodiscard]] std::vector<Marker> markers_of(const Scene& scene, const System& system);
 
 }  // namespace delos

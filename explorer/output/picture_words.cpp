@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "delos/text/format.h"
-#include "text/number_text.h"
-#include "text/numbers.h"
+#include "delos/text/number_text.h"
+#include "delos/text/numbers.h"
 
 namespace delos {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "delos/field/field.h"
-#include "delos/output/write.h"
+#include "output/write.h"
 
 namespace delos {
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "delos/api.h"
+
 namespace delos {
 
 /// A number at the beginning of a text.
@@ -17,14 +19,14 @@ struct NumberText {
 };
 
 /// Read as much of `text` as is a number in decimal notation.
-[[nodiscard]] NumberText scan_number(std::string_view text);
+[[nodiscard]] DELOS_API NumberText scan_number(std::string_view text);
 
 /// value·10^exponent of a number's text, rounded once: "104.85" and −2 give 1.0485.
 /// @pre scan_number() takes the whole of `number`.
-[[nodiscard]] double scaled_decimal(std::string_view number, int exponent);
+[[nodiscard]] DELOS_API double scaled_decimal(std::string_view number, int exponent);
 
 /// "1,000,000"
-[[nodiscard]] std::string grouped(long long value);
+[[nodiscard]] DELOS_API std::string grouped(long long value);
 template <std::integral Integer>
 [[nodiscard]] std::string grouped(Integer value) {
   return grouped(static_cast<long long>(value));

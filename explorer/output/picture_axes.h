@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "delos/output/ticks.h"
 #include "delos/text/format.h"
 #include "output/canvas.h"
 #include "output/picture_frame.h"
 #include "output/shading.h"
 #include "output/slice.h"
+#include "output/ticks.h"
 
 namespace delos {
 

@@ -1,10 +1,10 @@
-#include "delos/output/write.h"
+#include "output/write.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-#include "document/file_commit.h"
+#include "delos/document/file_commit.h"
 #include "output/csv.h"
 #include "output/json.h"
 #include "output/picture.h"

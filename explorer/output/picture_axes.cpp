@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "text/number_text.h"
+#include "delos/text/number_text.h"
 
 namespace delos {
 namespace {

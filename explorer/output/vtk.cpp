@@ -8,8 +8,8 @@
 #include <limits>
 #include <ostream>
 
+#include "delos/text/number_text.h"
 #include "output/base64.h"
-#include "text/number_text.h"
 
 namespace delos {
 namespace {

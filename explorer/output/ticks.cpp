@@ -1,11 +1,11 @@
-#include "delos/output/ticks.h"
+#include "output/ticks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
 #include "delos/text/format.h"
-#include "text/number_text.h"
+#include "delos/text/number_text.h"
 
 namespace delos {
 namespace {

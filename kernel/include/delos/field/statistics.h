@@ -3,13 +3,15 @@
 
 #include <cstddef>
 
+#include "delos/api.h"
 #include "delos/field/field.h"
 
 namespace delos {
 
 /// summarize() over the points first, …, first + count − 1.
 /// @pre the range lies within the field
-[[nodiscard]] FieldStatistics summarize_range(const Field& field, std::size_t first,
-                                              std::size_t count);
+[[nodiscard]] DELOS_API FieldStatistics summarize_range(const Field& field,
+                                                        std::size_t first,
+                                                        std::size_t count);
 
 }  // namespace delos

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "delos/api.h"
-
 namespace delos {
 
 struct Tick {
@@ -16,15 +14,14 @@ struct Tick {
 /// Multiples of 1, 2 or 5 times a power of ten within [low, high], about `wanted` of
 /// them.
 /// @pre low ≤ high, finite
-[[nodiscard]] DELOS_API std::vector<Tick> linear_ticks(double low, double high,
-                                                       int wanted);
+[[nodiscard]] std::vector<Tick> linear_ticks(double low, double high, int wanted);
 
 /// Values for a logarithmic axis: 1, 2 and 5 times powers of ten, or fewer where they
 /// would crowd; linear_ticks() where the range is too short to hold any two of them.
 /// Labels carry their unit.
 /// @param unit SI unit of low and high
 /// @pre 0 < low ≤ high
-[[nodiscard]] DELOS_API std::vector<Tick> log_ticks(double low, double high, int wanted,
-                                                    const std::string& unit);
+[[nodiscard]] std::vector<Tick> log_ticks(double low, double high, int wanted,
+                                          const std::string& unit);
 
 }  // namespace delos

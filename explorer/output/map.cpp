@@ -1,4 +1,4 @@
-#include "delos/output/map.h"
+#include "output/map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "delos/api.h"
 #include "delos/field/field.h"
-#include "delos/output/write.h"
+#include "output/write.h"
 
 namespace delos {
 
@@ -37,15 +36,14 @@ struct FieldMap {
 /// @param slice its slice_z, has_slice and larger_is_better choose the slice
 /// @returns nullopt where neither a volume nor a plane is among the samples
 /// @cost a PNG of 400 pixels along its longer side
-[[nodiscard]] DELOS_API std::optional<FieldMap> field_map(const Field& field,
-                                                          const PictureOptions& slice,
-                                                          const ColourRange& colours);
+[[nodiscard]] std::optional<FieldMap> field_map(const Field& field,
+                                                const PictureOptions& slice,
+                                                const ColourRange& colours);
 
 /// The colours from low to high, left to right, as a PNG in a data URI.
-[[nodiscard]] DELOS_API std::string colour_strip(const ColourRange& colours);
+[[nodiscard]] std::string colour_strip(const ColourRange& colours);
 
 /// Where a value stands between low and high, 0 to 1.
-[[nodiscard]] DELOS_API double colour_position(const ColourRange& colours,
-                                               double value);
+[[nodiscard]] double colour_position(const ColourRange& colours, double value);
 
 }  // namespace delos

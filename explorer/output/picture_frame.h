@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "delos/output/marker.h"
 #include "output/canvas.h"
+#include "output/marker.h"
 #include "output/slice.h"
 
 namespace delos {

@@ -6,6 +6,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "delos/api.h"
+
 namespace delos {
 
 /// Let `fill` write to `.name.tmp-<pid>` beside `file`, then rename that to `file`.
@@ -13,10 +15,10 @@ namespace delos {
 /// written.
 ///
 /// @returns empty, or a sentence that says what the system refused
-[[nodiscard]] std::string commit_file(const std::filesystem::path& file,
-                                      const std::function<void(std::ostream&)>& fill);
+[[nodiscard]] DELOS_API std::string commit_file(
+    const std::filesystem::path& file, const std::function<void(std::ostream&)>& fill);
 
 /// Empty where the folder that `file` goes to exists; else a sentence.
-[[nodiscard]] std::string missing_folder(const std::filesystem::path& file);
+[[nodiscard]] DELOS_API std::string missing_folder(const std::filesystem::path& file);
 
 }  // namespace delos
