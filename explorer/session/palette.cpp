@@ -5,7 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "session/presets.h"
+#include "delos/scene/presets.h"
 #include "session/shipped_scenes.h"
 
 namespace delos::session {

@@ -1,12 +1,12 @@
 // Presets are what their plugins take.
-#include "session/presets.h"
+#include "delos/scene/presets.h"
 
 #include <gtest/gtest.h>
 
 #include "delos/rig/system.h"
 #include "delos/scene/io.h"
 
-namespace delos::session {
+namespace delos {
 namespace {
 
 TEST(Presets, AreTakenByTheirPlugins) {
@@ -48,4 +48,4 @@ TEST(Presets, HaveTheAnglesThatTheirSourcesState) {
 }
 
 }  // namespace
-}  // namespace delos::session
+}  // namespace delos

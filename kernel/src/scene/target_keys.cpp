@@ -108,7 +108,7 @@ void read_bodies(Reader& reader, const Place& at, Scene& scene) {
   }
 }
 
-constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
+constexpr std::array<Key<Scene>, 3> kTargetKeys = {{
     {"markers", Need::optional,
      "points on the target [[x, y, z], …], metres, in its frame",
      [](Reader& r, const Place& p, Scene& s) {
@@ -130,6 +130,18 @@ constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
        }
        return map;
      }},
+    {"speed", Need::optional,
+     "how fast it is, in any direction, root mean square: what delays count with",
+     [](Reader& r, const Place& p, Scene& s) {
+       const auto speed = r.number(p, "m/s");
+       if (!speed) return;
+       if (*speed < 0) r.error(p, "must not be below 0");
+       s.speed = *speed;
+     },
+     [](const Scene& s) -> Written {
+       if (s.speed == 0) return std::nullopt;
+       return to_node(s.speed);
+     }},
 }};
 
 }  // namespace
@@ -141,7 +153,8 @@ void read_target(Reader& reader, const Place& at, Scene& scene) {
 }
 
 std::optional<Node> write_target(const Scene& scene) {
-  if (scene.markers == Scene{}.markers && scene.bodies.empty()) return std::nullopt;
+  if (scene.markers == Scene{}.markers && scene.bodies.empty() && scene.speed == 0)
+    return std::nullopt;
   return write_map(kTargetKeys, scene);
 }
 
