@@ -126,9 +126,9 @@ void add_budget(const System& system, const SolvedPose& at, const Metric& metric
     find_calibration(system, system.devices[i], at.pose, scratch);
     report.devices[i].calibration = worth();
   }
-  for (const PlacedCommonError& common : system.common_errors) {
-    find_common_error(system, common, at.pose, scratch);
-    report.budget->common.push_back({common.name, worth()});
+  for (std::size_t i = 0; i < system.common_errors.size(); ++i) {
+    find_common_error(system, i, at.pose, scratch);
+    report.budget->common.push_back({system.common_errors[i].name, worth()});
   }
 }
 

@@ -1,5 +1,6 @@
 #include "observe/calibration.h"
 
+#include <algorithm>
 #include <string>
 
 #include "observe/answers.h"
@@ -167,13 +168,6 @@ void find_errors(const System& system, const PlacedDevice& placed,
     scratch.G *= information_weight(system, placed);
 }
 
-/// What devices have in common adds up before it is squared.
-/// @param columns k; a device that sees nothing has none
-void add_to_all(int columns, CalibrationScratch& scratch) {
-  if (scratch.all.cols() != columns) scratch.all.setZero(scratch.G.rows(), columns);
-  if (scratch.G.cols() == columns) scratch.all += scratch.G;
-}
-
 }  // namespace
 
 void find_calibration(const System& system, const PlacedDevice& placed,
@@ -184,22 +178,25 @@ void find_calibration(const System& system, const PlacedDevice& placed,
   scratch.of_source = scratch.G * scratch.G.transpose();
 }
 
-void find_common_error(const System& system, const PlacedCommonError& common,
-                       const TargetPose& X_WT, CalibrationScratch& scratch,
-                       RowWeights weights) {
+void find_common_error(const System& system, std::size_t number, const TargetPose& X_WT,
+                       CalibrationScratch& scratch, RowWeights weights) {
+  const PlacedCommonError& common = system.common_errors[number];
   const ErrorSource source{&common.of, {}, &common.X_WF};
   const ErrorColumns columns(system, source, 1);
-  scratch.all.resize(information_size(system), 0);
-  for (const std::size_t i : common.devices) {
-    find_errors(system, system.devices[i], source, X_WT, scratch, weights);
-    add_to_all(columns.size, scratch);
+  scratch.all.setZero(information_size(system), columns.size);
+  for (const PlacedDevice& placed : system.devices) {
+    const auto& shared = placed.common_errors;
+    if (!std::binary_search(shared.begin(), shared.end(), number)) continue;
+    find_errors(system, placed, source, X_WT, scratch, weights);
+    // One that sees nothing has none.
+    if (scratch.G.cols() == columns.size) scratch.all += scratch.G;
   }
   scratch.of_source = scratch.all * scratch.all.transpose();
 }
 
 void find_lateness(const System& system, const TargetPose& X_WT,
                    CalibrationScratch& scratch, RowWeights weights) {
-  scratch.all.resize(information_size(system), 0);
+  scratch.all.setZero(information_size(system), 1);
   for (const PlacedDevice& placed : system.devices) {
     const double late = placed.without_sight.bias;
     if (late == 0 || !reads_without_sight(system, placed)) continue;
@@ -212,7 +209,7 @@ void find_lateness(const System& system, const TargetPose& X_WT,
     add_device(system, placed, X_WT, weights, errors, scratch);
     if (weights == RowWeights::information)
       scratch.G *= information_weight(system, placed);
-    add_to_all(1, scratch);
+    if (scratch.G.cols() == 1) scratch.all += scratch.G;
   }
   scratch.of_source = scratch.all * scratch.all.transpose();
 }
@@ -226,8 +223,8 @@ StateMatrix calibration_spread(const System& system, const TargetPose& X_WT,
     find_calibration(system, placed, X_WT, scratch, weights);
     spread += scratch.of_source;
   }
-  for (const PlacedCommonError& common : system.common_errors) {
-    find_common_error(system, common, X_WT, scratch, weights);
+  for (std::size_t i = 0; i < system.common_errors.size(); ++i) {
+    find_common_error(system, i, X_WT, scratch, weights);
     spread += scratch.of_source;
   }
   find_lateness(system, X_WT, scratch, weights);

@@ -28,8 +28,9 @@ void find_calibration(const System& system, const PlacedDevice& placed,
 
 /// The same of errors that devices have in common, whose G add up before they are
 /// squared.
-void find_common_error(const System& system, const PlacedCommonError& common,
-                       const TargetPose& X_WT, CalibrationScratch& scratch,
+/// @param number which of the system's
+void find_common_error(const System& system, std::size_t number, const TargetPose& X_WT,
+                       CalibrationScratch& scratch,
                        RowWeights weights = RowWeights::information);
 
 /// g gᵀ of what readings without sight are late by, g = w Σ Hᵀ R⁻¹ b of all devices:

@@ -170,14 +170,19 @@ std::vector<DoubtfulParameter> doubtful_parameters(const PluginInfo& info,
   return doubtful;
 }
 
-/// @pre the devices are those of the scene
 PlacedCommonError placed_error(const Scene& scene, const CommonError& common) {
-  PlacedCommonError placed{common.name, {}, {}, common.of};
-  for (std::size_t i = 0; i < scene.devices.size(); ++i)
-    if (shares_error(common, scene.devices[i])) placed.devices.push_back(i);
+  PlacedCommonError placed{common.name, {}, common.of};
   for (const Group& group : scene.groups)
     if (group.name == common.group) placed.X_WF = pose_of(group.placement);
   return placed;
+}
+
+std::vector<std::size_t> common_errors_of(const Scene& scene,
+                                          const DeviceEntry& entry) {
+  std::vector<std::size_t> shared;
+  for (std::size_t i = 0; i < scene.common_errors.size(); ++i)
+    if (shares_error(scene.common_errors[i], entry)) shared.push_back(i);
+  return shared;
 }
 
 /// The scene's markers, then those of its bodies.
@@ -241,6 +246,7 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     placed.params = entry.params;
     placed.device = reuse(previous, system.devices.size(), entry);
     placed.calibration = entry.calibration;
+    placed.common_errors = common_errors_of(scene, entry);
     placed.without_sight = entry.without_sight;
     const PluginLoad& plugin = plugins.find(entry.type);
     if (!plugin.info) throw std::runtime_error(plugin.error);

@@ -1,6 +1,7 @@
 #include "simulation/drawn_errors.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace delos {
@@ -46,13 +47,16 @@ void DrawnErrors::draw_own(PlacedDevice& placed, Drawn& drawn, RunRandom& random
   drawn.delay = known.delay * random.normal();
 }
 
-void DrawnErrors::draw_common(const PlacedCommonError& common, RunRandom& random) {
+void DrawnErrors::draw_common(std::size_t number, RunRandom& random) {
+  const PlacedCommonError& common = system_.common_errors[number];
   const Pose moved =
       common.X_WF * drawn_pose(common.of, random) * common.X_WF.inverse();
   const double offset = common.of.offset * random.normal(),
                scale = common.of.scale * random.normal(),
                delay = common.of.delay * random.normal();
-  for (const std::size_t i : common.devices) {
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const auto& shared = errant_.devices[i].common_errors;
+    if (!std::binary_search(shared.begin(), shared.end(), number)) continue;
     errant_.devices[i].X_WS() = moved * errant_.devices[i].X_WS();
     drawn_[i].offsets.array() += offset;
     drawn_[i].scale += scale;
@@ -66,8 +70,7 @@ void DrawnErrors::draw(RunRandom& random) {
     errant_.devices[i].mount = system_.devices[i].mount;
     draw_own(errant_.devices[i], drawn_[i], random);
   }
-  for (const PlacedCommonError& common : system_.common_errors)
-    draw_common(common, random);
+  for (std::size_t c = 0; c < system_.common_errors.size(); ++c) draw_common(c, random);
 }
 
 bool DrawnErrors::read(const TrackReading& reading, const StateVector& x,

@@ -34,7 +34,7 @@ class DrawnErrors {
     double scale = 0, delay = 0;
   };
   void draw_own(PlacedDevice& placed, Drawn& drawn, RunRandom& random);
-  void draw_common(const PlacedCommonError& common, RunRandom& random);
+  void draw_common(std::size_t number, RunRandom& random);
 
   const System& system_;
   System errant_;  ///< its devices stand where they stand in truth

@@ -100,6 +100,8 @@ struct PlacedDevice {
   StateBlock own;                           ///< its own states
   Calibration calibration;                  ///< how well it is known
   std::vector<DoubtfulParameter> doubtful;  ///< calibration.params
+  /// Which of System::common_errors it has a share in, rising.
+  std::vector<std::size_t> common_errors;
   WithoutSight without_sight;
 
   /// How the target carries it; null: it stands in the world.
@@ -122,7 +124,6 @@ struct PlacedDevice {
 /// Errors that several devices have in common.
 struct PlacedCommonError {
   std::string name;
-  std::vector<std::size_t> devices;  ///< which of the system's, in the world, rising
   Pose X_WF;  ///< along whose axes and about whose origin they are
   Calibration of;
 };
