@@ -71,7 +71,7 @@ class Custom final : public delos::Device {
                   "After how much a reading comes back to itself, such as 2*pi of an "
                   "angle that is read all around; 0: never. One formula, or as many as "
                   "readings.")
-          .initially("\"0\""),
+          .initially("0"),
       delos::text("inside", "At least 0 where the target is seen, in metres.")
           .initially("1"),
       delos::vector("p", "1", 0,

@@ -179,11 +179,13 @@ TEST(CommonErrors, DelaysAreThoseOfATargetThatMoves) {
           << i << ", " << j;
 }
 
-/// Filters on readings of rigs that are off as drawn, against the total.
-Simulation expect_total(const System& system, const Vector3d& p, int runs,
-                        double seconds) {
-  const Simulation s = simulate(system, {Matrix3d::Identity(), p},
-                                {.runs = runs, .seed = 11, .seconds = seconds});
+/// Filters on readings of rigs that are off as drawn, against the total. They begin
+/// where the target is, and take their time to be off.
+Simulation expect_total(const System& system, const Vector3d& p, int runs) {
+  const TargetPose pose{Matrix3d::Identity(), p};
+  const double once = simulate(system, pose, {.runs = 2}).time_constant;
+  const Simulation s =
+      simulate(system, pose, {.runs = runs, .seed = 11, .seconds = 12 * once});
   EXPECT_EQ(s.lost, 0u);
   for (const SimulatedCovariance& c : s.covariances)
     for (Eigen::Index i = 0; i < c.predicted.rows(); ++i)
@@ -198,7 +200,7 @@ TEST(DrawnErrors, OfRangesAreTheTotal) {
       "calibration: {place: 1 cm, offset: 2 cm, params: {sigma: 1 mm}}",
       "target: {speed: 1 m/s}\n"
       "common_errors: {sound: {scale: 0.5 %}, board: {offset: 2 cm, delay: 10 ms}}\n"));
-  const Simulation s = expect_total(system, {0.2, -0.3, 0.1}, 10'000, 0);
+  const Simulation s = expect_total(system, {0.2, -0.3, 0.1}, 10'000);
   // Of the prediction a good part is what scatter doesn't have, and the filter doesn't
   // know of.
   System scatter = system;
@@ -216,7 +218,7 @@ TEST(DrawnErrors, OfCamerasAreTheTotal) {
       "calibration: {place: 3 mm, orientation: 0.1 deg, offset: 0.5 px, params: "
       "{field_of_view: 0.2 deg}}",
       "common_errors: {frame: {place: 2 mm, orientation: 0.1 deg}}\n"));
-  expect_total(system, {0.2, -0.3, 0.1}, 10'000, 0);
+  expect_total(system, {0.2, -0.3, 0.1}, 10'000);
 }
 
 // A HiBall on an arm, put on wrong and known late, that draws ten LEDs an update.
@@ -230,7 +232,7 @@ TEST(DrawnErrors, OfAHiBallAreTheTotal) {
       "10, at: [0.1, -0.05, 0.2], params: {layout: six, views: adjacent, field: 6 deg, "
       "r: 2.1e-5},\n     calibration: {place: 1 mm, orientation: 0.05 deg, delay: 2 "
       "ms}}\n");
-  expect_total(system, {3, 4, 1.9}, 10'000, 0.2);
+  expect_total(system, {3, 4, 1.9}, 10'000);
 }
 
 TEST(DrawnErrors, AreTheSameForAnyNumberOfThreads) {

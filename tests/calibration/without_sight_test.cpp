@@ -2,7 +2,9 @@
 // and point by point, octrees, and what filters make of them.
 #include <Eigen/Dense>
 #include <cmath>
+#include <random>
 
+#include "delos/field/adaptive.h"
 #include "delos/field/evaluate.h"
 #include "delos/field/point.h"
 #include "delos/layers/layers.h"
@@ -103,47 +105,50 @@ TEST(WithoutSight, LanesAreOfOnePointEach) {
 }
 
 TEST(WithoutSight, OctreesKnowTheEdgesOfShadows) {
-  const std::string volume =
-      "error: scatter\nmetric: trace\nsample: {volume: {min: [1, 1, 0.2], max: [5, 5, "
-      "2.2], adaptive: {tolerance: 5 %, depth: 5}}}\n";
-  const Scene scene = scene_of(kRoom + volume);
-  const System system = build_system(scene, test::plugins());
+  const System system =
+      system_of(kRoom + "error: scatter\nsample: {points: [[0, 0, 0]]}\n");
   const Metric metric = testing::metric_of(system, "trace");
-  const Field field = evaluate_field(system, make_samples(scene.samples),
-                                     scene.orientations, metric, {.threads = 1});
-  ASSERT_GT(field.samples.points.size(), 100u);
-  for (std::size_t i = 0; i < field.samples.points.size(); i += 17) {
-    Samples one;
-    one.points = {field.samples.points[i]};
-    one.parts = {SamplePart{.count = 1, .shape = ScatteredShape{}}};
-    EXPECT_NEAR(field.value[i],
-                evaluate_field(system, one, scene.orientations, metric).value[0],
-                1e-9 * field.value[i]);
+  AdaptiveSampling sampling;
+  sampling.min = {1, 1, 0.2};
+  sampling.max = {5, 5, 2.2};
+  sampling.tolerance = 0.05;
+  sampling.depth = 4;
+  const AdaptiveField field = evaluate_adaptive(system, sampling, {}, metric);
+  Samples samples;
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 500; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    samples.points.emplace_back(1 + 4 * x, 1 + 4 * y, 0.2 + 2 * z);
   }
+  samples.parts = {SamplePart{.count = 500, .shape = ScatteredShape{}}};
+  const Field read = field.read(samples, ShadowEdges::exact);
+  const Field direct = evaluate_field(system, samples, {}, metric);
+  for (std::size_t i = 0; i < samples.points.size(); ++i)
+    EXPECT_NEAR(read.value[i], direct.value[i], 0.05 * direct.value[i]);
 }
 
 // What arrives now and then is worth less than its expected information says, since
 // covariance is convex in information; of readings that arrive often, and matter little
-// each, next to nothing less. Filters that are told which came without sight:
+// each, next to nothing less. By a scalar recursion over random arrivals, of a script
+// of its own, mean variances are 2.446 and 1.182 times those of the expected
+// information at 20 and 100 Hz. Filters that are told which came without sight reach
+// that:
 TEST(WithoutSight, ExpectedInformationIsABoundThatFiltersComeNear) {
-  const auto ratio = [](const std::string& rate) {
+  for (const auto& [rate, ratio] : {std::pair(20.0, 2.446), std::pair(100.0, 1.182)}) {
     Scene scene =
         scene_of(three_ranges("without_sight: {probability: 0.3, sigma: 4 cm}", kWall));
-    for (DeviceEntry& device : scene.devices) device.rate = std::stod(rate);
+    for (DeviceEntry& device : scene.devices) device.rate = rate;
     const System system = build_system(scene, test::plugins());
-    const Simulation s = simulate(system, kMiddle, {.runs = 4000, .seed = 5});
-    EXPECT_EQ(s.lost, 0u);
+    const Simulation s = simulate(system, kMiddle, {.runs = 3000, .seed = 5});
+    EXPECT_LE(s.lost, 15u) << "gaps in which they run away";
     const SimulatedCovariance& c = s.covariances[0];
     EXPECT_NEAR(c.measured(1, 1), c.predicted(1, 1), 4.5 * c.error(1, 1))
         << "what is seen is as ever";
-    EXPECT_GT(c.measured(0, 0), c.predicted(0, 0) - 4.5 * c.error(0, 0)) << "a bound";
-    return std::pair(c.measured(0, 0) / c.predicted(0, 0),
-                     c.error(0, 0) / c.predicted(0, 0));
-  };
-  const auto slow = ratio("20"), fast = ratio("500");
-  EXPECT_GT(slow.first, 1 + 4.5 * slow.second);
-  EXPECT_GT(slow.first, fast.first + 3 * (slow.second + fast.second));
-  EXPECT_NEAR(fast.first, 1, 0.12);
+    EXPECT_NEAR(c.measured(0, 0), ratio * c.predicted(0, 0), 4.5 * c.error(0, 0))
+        << rate;
+    EXPECT_GT(c.measured(0, 0), c.predicted(0, 0) + 3 * c.error(0, 0)) << "a bound";
+  }
 }
 
 // Readings that always come, late and noisy: filters are off by just what is said.
@@ -155,7 +160,8 @@ TEST(WithoutSight, BiasIsWhatFiltersAreOffBy) {
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j <= i; ++j)
       EXPECT_NEAR(c.measured(i, j), c.predicted(i, j), 4.5 * c.error(i, j));
-  EXPECT_NEAR(s.instants.back().mean(0), 0.1, 0.01) << "truth is nearer to the anchor";
+  EXPECT_NEAR(s.instants.back().mean(0), 0.03, 0.002)
+      << "truth is nearer to the anchor";
 }
 
 bool says(const std::string& text, const std::string& what) {
