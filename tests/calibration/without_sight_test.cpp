@@ -154,8 +154,9 @@ TEST(WithoutSight, ExpectedInformationIsABoundThatFiltersComeNear) {
 // Readings that always come, late and noisy: filters are off by just what is said.
 TEST(WithoutSight, BiasIsWhatFiltersAreOffBy) {
   const System system =
-      behind_a_wall("without_sight: {probability: 1, sigma: 4 cm, bias: 10 cm}");
-  const Simulation s = simulate(system, kMiddle, {.runs = 10'000, .seed = 5});
+      behind_a_wall("without_sight: {probability: 1, sigma: 4 cm, bias: 3 cm}");
+  const Simulation s =
+      simulate(system, kMiddle, {.runs = 10'000, .seed = 5, .seconds = 3});
   const SimulatedCovariance& c = s.covariances[0];
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j <= i; ++j)
