@@ -29,6 +29,8 @@ void print(const session::CheckedScene& checked) {
   if (const std::string exists = to_string(facts.existence); !exists.empty())
     std::cout << "; " << exists;
   std::cout << "\n";
+  for (const std::string& preset : facts.presets)
+    std::cout << "  preset " << preset << "\n";
 }
 
 int run(const CheckCommand& command) {

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "command.h"
+#include "delos/scene/presets.h"
 #include "delos/text/units.h"
 #include "json.h"
 #include "session/parameter_table.h"
-#include "session/presets.h"
 #include "summary.h"
 
 namespace delos::cli {
@@ -104,7 +104,7 @@ int show_all(const DevicesCommand& command, PluginRegistry& plugins) {
 /// What to write for devices that one can buy, of one plugin or of all.
 int show_presets(const std::string& id) {
   bool any = false;
-  for (const session::DevicePreset& preset : session::device_presets()) {
+  for (const DevicePreset& preset : device_presets()) {
     if (!id.empty() && id != preset.type) continue;
     any = true;
     std::cout << preset.name << "\n  type: " << preset.type << ", params: {"

@@ -123,14 +123,19 @@ void print_metrics(std::ostream& out, const PointReport& report, ErrorPart part)
 /// What better calibrations are worth, and how far plain least squares is off.
 void print_budget(std::ostream& out, const PointReport& report, const Metric& metric) {
   if (!report.budget) return;
-  const bool any = std::any_of(report.devices.begin(), report.devices.end(),
-                               [](const DeviceShare& d) { return d.calibration != 0; });
-  if (any)
-    out << "Known exactly, this device alone would improve " + metric.name + " by\n";
-  for (const DeviceShare& d : report.devices)
-    if (d.calibration != 0)
-      out << "  " << cell(d.name, 18) << std::setprecision(3) << 100 * d.calibration
-          << " %\n";
+  const auto print_each = [&](const char* what, const auto& all) {
+    if (std::none_of(all.begin(), all.end(),
+                     [](const auto& one) { return one.calibration != 0; }))
+      return;
+    out << "Known exactly, this " << what << " alone would improve " << metric.name
+        << " by\n";
+    for (const auto& one : all)
+      if (one.calibration != 0)
+        out << "  " << cell(one.name, 18) << std::setprecision(3)
+            << 100 * one.calibration << " %\n";
+  };
+  print_each("device", report.devices);
+  print_each("common error", report.budget->common);
   if (const auto& plain = report.budget->plain)
     out << "Plain least squares of one reading: " << metric.name << " "
         << value_text(plain->total, metric.unit) << ", scatter "

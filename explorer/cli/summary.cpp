@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <ostream>
 
+#include "delos/scene/presets.h"
 #include "delos/text/format.h"
 #include "delos/text/words.h"
 #include "session/point_answer.h"
@@ -94,6 +95,8 @@ void print_summary(std::ostream& out, const LoadedScene& loaded, const Field& fi
     out << clutter.name << ": "
         << counted(static_cast<std::size_t>(clutter.count), "occluder")
         << " drawn at random, seed " << clutter.seed << "\n";
+  for (const std::string& preset : preset_sources(loaded.scene))
+    out << "preset " << preset << "\n";
   print_statistics(out, field);
   if (summarize(field).finite == 0) {
     for (const std::string& why : why_blind(loaded, field)) out << "  " << why << "\n";

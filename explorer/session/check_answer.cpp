@@ -6,6 +6,7 @@
 #include "delos/field/evaluate.h"
 #include "delos/sampling/samples.h"
 #include "delos/scene/definition.h"
+#include "delos/scene/presets.h"
 #include "session/diagnostics_json.h"
 
 namespace delos::session {
@@ -22,6 +23,7 @@ SceneFacts facts_of(const LoadedScene& loaded, Solver chosen) {
     facts.samples += static_cast<std::size_t>(sample_count(set));
   facts.fusion = to_string(loaded.system.fusion);
   facts.solver = to_string(solver->solver());
+  facts.presets = preset_sources(loaded.scene);
   // Enough to tell a part from a whole, few enough for the slowest solver.
   constexpr std::size_t kPlaces = 200;
   facts.existence = existence(loaded.scene, loaded.system, kPlaces);
@@ -60,6 +62,7 @@ Json check_json(const CheckedScene& checked) {
     json["states"] = facts.states;
     json["fusion"] = facts.fusion;
     json["solver"] = facts.solver;
+    if (!facts.presets.empty()) json["presets"] = facts.presets;
     const Existence& exists = facts.existence;
     if (exists.places > 0)
       json["existence"] = {{"places", exists.places},

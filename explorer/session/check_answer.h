@@ -20,6 +20,7 @@ struct SceneFacts {
   std::size_t devices = 0, states = 0;
   std::size_t samples = 0;  ///< 0: adaptive, so that they aren't known yet
   std::string fusion, solver;
+  std::vector<std::string> presets;  ///< preset_sources()
   Existence existence;
 };
 

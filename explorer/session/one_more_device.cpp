@@ -22,7 +22,8 @@ std::vector<PlacedDevice> kinds_of(const System& system) {
     const auto alike = [&](const PlacedDevice& other) {
       return other.type == device.type && other.params == device.params &&
              other.noise == device.noise && other.period == device.period &&
-             other.exposure == device.exposure;
+             other.exposure == device.exposure &&
+             other.without_sight == device.without_sight;
     };
     if (std::none_of(kinds.begin(), kinds.end(), alike)) kinds.push_back(device);
   }

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "delos/scene/presets.h"
 #include "session/parameter_shape.h"
-#include "session/presets.h"
 #include "session/shipped_scenes.h"
 
 namespace delos::session {

@@ -89,6 +89,10 @@ Json point_json(const PointAnswer& answer, const LoadedScene& loaded) {
                                                 {"unit", loaded.metric.unit}})
                                         : Json();
   }
+  for (const CommonErrorShare& common :
+       report.budget ? report.budget->common : std::vector<CommonErrorShare>{})
+    json["common_errors"].push_back(
+        {{"name", common.name}, {"calibration", number(common.calibration)}});
   // Before a single reading nothing is known.
   json["P_prior"] = loaded.system.covariance == CovarianceKind::single
                         ? Json()

@@ -92,8 +92,9 @@ Json row_schema(const ParamSpec& row) {
   return schema;
 }
 
-/// "Where the type is this one, the parameters are these."
-Json rule_of(const PluginInfo& plugin) {
+/// "Where the type is this one, the parameters are these." Without a preset those that
+/// have no default must be there.
+Json rules_of(const PluginInfo& plugin) {
   Json properties = Json::object(), required = Json::array(), numbers = Json::object();
   for (const ParamSpec& row : std::span(plugin.params, plugin.n_params)) {
     properties[row.name] = row_schema(row);
@@ -101,24 +102,23 @@ Json rule_of(const PluginInfo& plugin) {
     if (row.kind == ParamKind::number)
       numbers[row.name] = number_schema(shapes::number(row.unit, at_least(0)));
   }
-  Json then{{"properties",
-             {{"params",
-               {{"type", "object"},
-                {"properties", std::move(properties)},
-                {"additionalProperties", false}}},
-              {"calibration",
-               {{"properties",
-                 {{"params",
-                   {{"properties", std::move(numbers)},
-                    {"additionalProperties", false}}}}}}}}}};
-  if (!required.empty()) {
-    then["properties"]["params"]["required"] = std::move(required);
-    then["required"] = {"params"};
-  }
-  return {{"if",
-           {{"properties", {{"type", {{"const", plugin.id}}}}},
-            {"required", Json::array({"type"})}}},
-          {"then", std::move(then)}};
+  const auto only = [](Json of) {
+    return Json{{"properties", std::move(of)}, {"additionalProperties", false}};
+  };
+  const Json calibration{{"properties", {{"params", only(std::move(numbers))}}}};
+  const Json params{{"params", only(std::move(properties))},
+                    {"calibration", calibration}};
+  Json of_type{{"properties", {{"type", {{"const", plugin.id}}}}},
+               {"required", Json::array({"type"})}};
+  Json rules = Json::array();
+  rules.push_back({{"if", of_type}, {"then", {{"properties", params}}}});
+  if (required.empty()) return rules;
+  of_type["not"] = {{"required", Json::array({"preset"})}};
+  rules.push_back({{"if", of_type},
+                   {"then",
+                    {{"properties", {{"params", {{"required", required}}}}},
+                     {"required", Json::array({"params"})}}}});
+  return rules;
 }
 
 /// A mapping that has a plugin's parameters beside the plugin's `type`.
@@ -145,7 +145,7 @@ Json Writer::map_schema(const std::vector<KeyShape>& keys, const std::string& pa
   schema["additionalProperties"] = false;
   if (is_device(keys))
     for (const PluginInfo* plugin : plugins_)
-      schema["allOf"].push_back(rule_of(*plugin));
+      for (Json& rule : rules_of(*plugin)) schema["allOf"].push_back(std::move(rule));
   return schema;
 }
 

@@ -67,6 +67,11 @@ class Custom final : public delos::Device {
       delos::text("sigma",
                   "Standard deviation of each reading: a formula, or as many as "
                   "readings."),
+      delos::text("period",
+                  "After how much a reading comes back to itself, such as 2*pi of an "
+                  "angle that is read all around; 0: never. One formula, or as many as "
+                  "readings.")
+          .initially("0"),
       delos::text("inside", "At least 0 where the target is seen, in metres.")
           .initially("1"),
       delos::vector("p", "1", 0,
@@ -92,6 +97,7 @@ class Custom final : public delos::Device {
                                    " formulas; give one, or one a reading, which are " +
                                    std::to_string(readings_.size()),
                                "sigma", 0);
+    read_periods(formulas_of(p, "period", {}));
     const std::vector<Expression> inside = formulas_of(p, "inside", names_);
     if (inside.size() != 1)
       throw delos::Unbuildable("must be one formula", "inside", 0);
@@ -111,6 +117,11 @@ class Custom final : public delos::Device {
     return turns_ ? delos::Span::pose : delos::Span::point;
   }
   bool needs_sight() const override { return needs_sight_; }
+
+  double period(int row) const override {
+    return periods_.size() == 1 ? periods_.front()
+                                : periods_[static_cast<std::size_t>(row)];
+  }
 
   bool observe(const delos::Target& target, delos::Observation& out) const override {
     const int columns = turns_ ? 6 : 3;
@@ -179,6 +190,19 @@ class Custom final : public delos::Device {
   }
 
  private:
+  void read_periods(const std::vector<Expression>& formulas) {
+    if (formulas.size() != 1 && formulas.size() != readings_.size())
+      throw delos::Unbuildable("has " + std::to_string(formulas.size()) +
+                                   " formulas; give one, or one a reading, which are " +
+                                   std::to_string(readings_.size()),
+                               "period", 0);
+    for (const Expression& formula : formulas) {
+      periods_.push_back(delos::evaluate<double>(formula, nullptr));
+      if (!(periods_.back() >= 0 && std::isfinite(periods_.back())))
+        throw delos::Unbuildable("must be 0 or more", "period", 0);
+    }
+  }
+
   const Expression& sigma_of(std::size_t row) const {
     return sigmas_.size() == 1 ? sigmas_.front() : sigmas_[row];
   }
@@ -201,7 +225,8 @@ class Custom final : public delos::Device {
 
   delos::ExpressionNames names_;
   std::vector<Expression> readings_, sigmas_;
-  Expression inside_;  // m
+  Expression inside_;            // m
+  std::vector<double> periods_;  // in the readings' units
   std::vector<double> constants_;
   bool needs_sight_ = true;
   bool smooth_ = false;  // so do formulas beyond the view

@@ -73,6 +73,17 @@ TEST(Custom, ReadsTheOrientation) {
   EXPECT_LT((out.H - expected).norm(), 1e-16);
 }
 
+TEST(Custom, SaysWhichReadingsComeBackToThemselves) {
+  const auto both = device(
+      "custom", "{reading: \"atan2(y, x); z\", sigma: \"0.1\", period: \"2*pi; 0\"}");
+  EXPECT_EQ(both->period(0), 2 * std::acos(-1));
+  EXPECT_EQ(both->period(1), 0);
+  const auto one =
+      device("custom", "{reading: \"x; y\", sigma: \"0.1\", period: \"360\"}");
+  EXPECT_EQ(one->period(1), 360);
+  EXPECT_EQ(device("custom", "{reading: \"x\", sigma: \"0.1\"}")->period(0), 0);
+}
+
 TEST(Custom, DoesNotSeeWhereAFormulaHasNoValue) {
   const auto log = device("custom", "{reading: \"log(x)\", sigma: \"0.1\"}");
   Observation out;
@@ -102,6 +113,10 @@ TEST(Custom, SaysWhichFormulaIsWrongAndWhere) {
             "sigma 0: has 3 formulas; give one, or one a reading, which are 2");
   EXPECT_EQ(wrong("{reading: \"x\", sigma: \"1\", inside: \"x; y\"}"),
             "inside 0: must be one formula");
+  EXPECT_EQ(wrong("{reading: \"x\", sigma: \"1\", period: \"-1\"}"),
+            "period 0: must be 0 or more");
+  EXPECT_EQ(wrong("{reading: \"x\", sigma: \"1\", period: \"1; 2\"}"),
+            "period 0: has 2 formulas; give one, or one a reading, which are 1");
   EXPECT_EQ(wrong("{reading: \"1;1;1;1;1;1;1;1;1;1\", sigma: \"1\"}"),
             "reading 18: has more than 9 formulas");
 }

@@ -11,6 +11,7 @@
 #include "delos/geometry/defects.h"
 #include "delos/geometry/primitives.h"
 #include "fuzz/damage.h"
+#include "support/gltf.h"
 
 namespace delos::fuzz {
 namespace {
@@ -135,6 +136,14 @@ TEST(FuzzMesh, Ply) {
 TEST(FuzzMesh, Stl) {
   damage_meshes("stl", {text_stl(), binary_stl()},
                 {"solid", "facet", "vertex ", "endloop", "endfacet", "normal"});
+}
+
+TEST(FuzzMesh, Gltf) {
+  damage_meshes("gltf", {test::gltf(kBox)},
+                {"nodes", "children", "\"mesh\":0", "-1", "1e999", "5125", "4294967295",
+                 "[0]", "{}", "null", "\"matrix\"", "\"byteStride\":1,"});
+  damage_meshes("glb", {test::glb(kBox)},
+                {"JSON", "BIN", "glTF", "\"byteOffset\":", "[0]", "null", "5121"});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "delos/geometry/mesh.h"
 #include "delos/geometry/primitives.h"
 #include "support/folder.h"
+#include "support/gltf.h"
 
 namespace delos::test {
 namespace {
@@ -139,8 +140,10 @@ std::string binary_stl(const TriangleMesh& mesh = kBox) {
 
 TEST_F(MeshFile, OfEveryFormatGivesTheCube) {
   const std::pair<const char*, std::string> files[] = {
-      {"a.off", off()},        {"a.obj", obj()}, {"a.ply", ply()},
-      {"b.ply", binary_ply()}, {"a.stl", stl()}, {"b.STL", binary_stl()},
+      {"a.off", off()},           {"a.obj", obj()},
+      {"a.ply", ply()},           {"b.ply", binary_ply()},
+      {"a.stl", stl()},           {"b.STL", binary_stl()},
+      {"a.glb", test::glb(kBox)}, {"a.gltf", test::gltf(kBox)},
   };
   for (const auto& [name, bytes] : files) {
     const TriangleMesh mesh = read_mesh(write(name, bytes));
@@ -155,6 +158,43 @@ TEST_F(MeshFile, OfEveryFormatGivesTheCube) {
     }
     EXPECT_TRUE(find_defects(mesh).closed) << name;
   }
+}
+
+// A node turned by a right angle about x (y to z), twice as large and 5 m up in its own
+// y: what stands at (x, y, z), y up, comes to (2x, 5 − 2z, 2y), which is (2x, −2y, 5 −
+// 2z) with z up.
+TEST_F(MeshFile, OfGltfStandsWhereItsNodesSay) {
+  const TriangleMesh mesh = read_mesh(write(
+      "a.glb",
+      test::glb(kBox, R"("translation":[0,5,0],"scale":[2,2,2],)"
+                      R"("rotation":[0.7071067811865476,0,0,0.7071067811865476])")));
+  ASSERT_EQ(mesh.triangles.size(), 12u);
+  for (std::size_t t = 0; t < 12; ++t)
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d& p = kBox.vertices[kBox.triangles[t][i]];
+      const Eigen::Vector3d up(p.x(), p.z(), -p.y());  // of the file
+      EXPECT_LT((mesh.vertices[mesh.triangles[t][i]] -
+                 Eigen::Vector3d(2 * up.x(), -2 * up.y(), 5 - 2 * up.z()))
+                    .norm(),
+                1e-6);
+    }
+  // By a matrix that mirrors, it isn't inside out.
+  const TriangleMesh mirrored = read_mesh(write(
+      "b.glb", test::glb(kBox, R"("matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])")));
+  EXPECT_TRUE(find_defects(mirrored).closed);
+  EXPECT_FALSE(find_defects(mirrored).inverted);
+}
+
+TEST_F(MeshFile, OfGltfSaysWhatIsNotRead) {
+  const auto says = [&](const std::string& text) { return refusal("a.gltf", text); };
+  EXPECT_NE(says(test::gltf_json(kBox, R"("uri":"a.bin")")).find("write it as one"),
+            std::string::npos);
+  EXPECT_NE(says(R"({"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]})")
+                .find("in each other"),
+            std::string::npos);
+  EXPECT_NE(says(R"({"scenes":[{"nodes":[7]}],"nodes":[]})").find("doesn't have"),
+            std::string::npos);
+  EXPECT_NE(says("{").find("can't be understood"), std::string::npos);
 }
 
 TEST_F(MeshFile, FansPolygons) {
@@ -175,8 +215,9 @@ TEST_F(MeshFile, TellsHowFarItIs) {
 }
 
 TEST_F(MeshFile, IsRefusedWithTheCause) {
-  EXPECT_EQ(refusal("a.gltf", "{}"),
-            "a.gltf: the suffix '.gltf' isn't one of .off, .obj, .ply and .stl");
+  EXPECT_EQ(refusal("a.dae", "{}"),
+            "a.dae: the suffix '.dae' isn't one of .off, .obj, .ply, .stl, .glb and "
+            ".gltf");
   for (const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
     EXPECT_EQ(refusal(name, ""), name + std::string(": is empty or can't be read"));
     EXPECT_NE(refusal(name, "hello world\n"), "accepted");

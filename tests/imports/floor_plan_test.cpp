@@ -1,7 +1,9 @@
 // Floor plans as rooms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "imports/imported.h"
 
@@ -80,6 +82,46 @@ TEST(FloorPlan, SaysWhatIsWrong) {
        R"({"type": "Polygon", "coordinates": [[[0, 0], [6000, 0], [0, 5000]]]})",
        "is 6000 m wide; which unit is it in?");
   says("a.svg", "<svg><rect width='3' height='4'/></svg>", "say which by --unit mm");
+}
+
+// 200 damaged files of each kind: a scene in order, or what is wrong with the file or
+// the scene.
+TEST(FloorPlan, ThatIsDamagedIsReadOrRefused) {
+  const std::vector<std::pair<std::string, std::string>> plans = {
+      {"floor.geojson",
+       R"({"type": "FeatureCollection", "features": [{"type": "Feature",
+        "properties": {"name": "column", "height": 2}, "geometry": {"type": "Polygon",
+        "coordinates": [[[1, 1], [1.4, 1], [1.4, 1.4], [1, 1.4], [1, 1]]]}}, {"type":
+        "Feature", "properties": null, "geometry": {"type": "MultiPolygon",
+        "coordinates": [[[[0, 0], [6, 0], [6, 3], [3, 3], [3, 5], [0, 5]]]]}}]})"},
+      {"floor.svg",
+       "<svg><g><path d='M 0 0 h 6 v 4 H 0 Z'/><rect x='1' y='1' width='0.5' "
+       "height='0.2'/><polygon points='2,2 3,2 3,3'/></g></svg>"}};
+  const std::vector<std::string> words = {"-1", "1e999", "]",  "[",    "nan",
+                                          "'",  "<",     "{}", "null", "Z"};
+  std::uint64_t state = 5;
+  const auto below = [&](std::size_t n) {
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return static_cast<std::size_t>(state >> 33) % std::max<std::size_t>(n, 1);
+  };
+  for (const auto& [name, whole] : plans) {
+    int refused = 0;
+    for (int i = 0; i < 200; ++i) {
+      std::string text = whole;
+      for (std::size_t hits = 1 + below(3); hits > 0; --hits) {
+        const std::size_t at = below(text.size());
+        if (below(2) == 0)
+          text.erase(at, 1 + below(20));
+        else
+          text.insert(at, words[below(words.size())]);
+      }
+      const Imported got = imported({{name, text}});
+      ASSERT_TRUE(got.scene || !got.findings.empty()) << text;
+      refused += !got.scene;
+    }
+    EXPECT_GT(refused, 20) << name;
+    EXPECT_LT(refused, 200) << name;
+  }
 }
 
 }  // namespace

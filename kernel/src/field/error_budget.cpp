@@ -106,20 +106,29 @@ void add_budget(const System& system, const SolvedPose& at, const Metric& metric
       values.push_back(value(m.metric, state));
     return values;
   };
-  report.budget = {values_of(ErrorPart::scatter), values_of(ErrorPart::bias),
+  report.budget = {values_of(ErrorPart::scatter),
+                   values_of(ErrorPart::bias),
                    values_of(ErrorPart::total),
+                   {},
                    plain_least_squares(system, at, metric, value)};
 
   if (!counts_bias(system)) return;
   report.state = state_of(system.error, D);
   for (MetricValue& m : report.metrics) m.value = value(m.metric, report.state);
   const double all = value(metric, report.state);
+  if (!std::isfinite(all)) return;
+  const auto worth = [&] {
+    const double without = value(metric, state_of(system.error, D - scratch.of_source));
+    return metric.larger_is_better ? 1 - all / without : 1 - without / all;
+  };
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
-    if (system.devices[i].calibration.exact() || !std::isfinite(all)) continue;
+    if (system.devices[i].calibration.exact()) continue;
     find_calibration(system, system.devices[i], at.pose, scratch);
-    const double without = value(metric, state_of(system.error, D - scratch.of_device));
-    report.devices[i].calibration =
-        metric.larger_is_better ? 1 - all / without : 1 - without / all;
+    report.devices[i].calibration = worth();
+  }
+  for (std::size_t i = 0; i < system.common_errors.size(); ++i) {
+    find_common_error(system, i, at.pose, scratch);
+    report.budget->common.push_back({system.common_errors[i].name, worth()});
   }
 }
 

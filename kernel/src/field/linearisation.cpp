@@ -98,9 +98,10 @@ Linearisation LinearisationCheck::at(const TargetPose& pose, const StateMatrix& 
   for (std::size_t d = 0; d < system_.devices.size(); ++d) {
     TrackReading reading{static_cast<int>(d), 0, 0, {0, static_cast<int>(n)}, {}};
     each_possible_reading(system_, system_.devices[d], pose, beacons_,
-                          [&](int view, std::size_t of, double share) {
+                          [&](int view, std::size_t of, double share, bool hidden) {
                             reading.view = view;
                             reading.of = of;
+                            reading.without_sight = hidden;
                             if (!model.predict(reading, x, pose.R, middle_)) return;
                             all.nonlinearity =
                                 std::max(all.nonlinearity,

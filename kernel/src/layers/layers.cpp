@@ -13,7 +13,7 @@ namespace {
 bool same_layer(const System& a, const System& b, std::size_t i) {
   const PlacedDevice &p = a.devices[i], &q = b.devices[i];
   return p.device == q.device && p.mount == q.mount && p.noise == q.noise &&
-         p.clock == q.clock && p.own == q.own;
+         p.clock == q.clock && p.own == q.own && p.without_sight == q.without_sight;
 }
 
 /// True where a layer of one is a layer of the other.

@@ -28,7 +28,8 @@ PoseViews::PoseViews(const System& system, const PoseTrees& trees)
 void PoseViews::append(const PlacedDevice& placed, std::vector<std::int32_t>& poses) {
   std::fill(seen_.begin(), seen_.end(), 0);
   if (placed.device->span() == Span::point) {
-    const bool may_hide = may_be_hidden(system_, placed);
+    const bool may_hide =
+        may_be_hidden(system_, placed) && !placed.without_sight.arrives();
     // Only what looks from its origin shares its lines with what stands there.
     if (may_hide && (placed.X_WS().p != place_ || !placed.looks_from_origin())) {
       place_ = placed.looks_from_origin() ? placed.X_WS().p : kNowhere;

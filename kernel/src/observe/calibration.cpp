@@ -1,5 +1,6 @@
 #include "observe/calibration.h"
 
+#include <algorithm>
 #include <string>
 
 #include "observe/answers.h"
@@ -7,85 +8,9 @@
 namespace delos {
 namespace {
 
-/// Which columns of J are of which errors; −1: not in doubt.
-struct ErrorColumns {
-  int place = -1, orientation = -1, params = -1, offset = -1;
-  int size = 0;
-
-  /// @param rows that the device reports of a point, each with an offset of its own
-  ErrorColumns(const PlacedDevice& placed, int rows) {
-    const auto take = [&](bool doubtful, int columns, int& first) {
-      if (!doubtful) return;
-      first = size;
-      size += columns;
-    };
-    take(!placed.calibration.place.isZero(0), 3, place);
-    take(!placed.calibration.orientation.isZero(0), 3, orientation);
-    take(!placed.doubtful.empty(), static_cast<int>(placed.doubtful.size()), params);
-    take(placed.calibration.offset > 0, rows, offset);
-  }
-};
-
-/// z of the device that is a little off, where it sees the target.
-bool reading_of(const PlacedDevice& placed, const Device& device, const Target& target,
-                Observation& out) {
-  try {
-    return device.observe(target, out);
-  } catch (...) {
-    rethrow_named(placed);
-  }
-}
-
-/// ∂z/∂parameter; one-sided at an edge of the view.
-void fill_slope(const PlacedDevice& placed, const DoubtfulParameter& parameter,
-                const Target& target, const Observation& seen, Observation& beside,
-                Eigen::Ref<Eigen::VectorXd> slope) {
-  slope.setZero();
-  const auto add = [&](const Device& device, double sign) {
-    const bool sees = reading_of(placed, device, target, beside);
-    const Observation& at = sees && beside.z.size() == seen.z.size() ? beside : seen;
-    slope += sign / parameter.between * at.z;
-  };
-  add(*parameter.above, 1);
-  add(*parameter.below, -1);
-}
-
-/// What one standard deviation of each error does to an answer. Where the device moves
-/// by δ and turns by φ, along and about its own axes, the target goes the other way:
-///
-///     p_S → p_S − δ + p_S × φ,   R_ST → exp(−φ) R_ST
-///
-/// @param turns whether columns 3 to 5 of H are of the target's orientation
-void fill_errors(const PlacedDevice& placed, const ErrorColumns& columns, bool turns,
-                 CalibrationScratch& scratch) {
-  const Calibration& known = placed.calibration;
-  const Observation& seen = scratch.measure.observation;
-  const Target& target = scratch.measure.target;
-  auto& J = scratch.J;
-  J.setZero(seen.z.size(), columns.size);
-  for (Eigen::Index r = 0; r < J.rows(); ++r) {
-    if (columns.place < 0 && columns.orientation < 0) break;
-    const Eigen::Vector3d h = seen.H.row(r).head<3>().transpose();
-    if (columns.place >= 0)
-      J.row(r).segment<3>(columns.place) = -h.cwiseProduct(known.place).transpose();
-    if (columns.orientation < 0) continue;
-    Eigen::Vector3d turn = h.cross(target.p_ST);
-    if (turns) turn -= seen.H.row(r).segment<3>(3).transpose();
-    J.row(r).segment<3>(columns.orientation) =
-        turn.cwiseProduct(known.orientation).transpose();
-  }
-  for (std::size_t k = 0; k < placed.doubtful.size(); ++k) {
-    const Eigen::Index column = columns.params + static_cast<Eigen::Index>(k);
-    fill_slope(placed, placed.doubtful[k], target, seen, scratch.beside, J.col(column));
-    J.col(column) *= placed.doubtful[k].deviation;
-  }
-  if (columns.offset >= 0)
-    J.middleCols(columns.offset, J.rows()).diagonal().setConstant(known.offset);
-}
-
 /// What a row counts.
-double weight_of(RowWeights weights, double variance) {
-  return weights == RowWeights::plain ? 1 : 1 / variance;
+double weight_of(RowWeights weights, const StateRow& row) {
+  return weights == RowWeights::plain ? row.share : row.weight();
 }
 
 /// G of an answer that is in the scratch: += Hᵀ R⁻¹ J.
@@ -99,16 +24,17 @@ void add_answer(RowWeights weights, CalibrationScratch& scratch, Fill&& fill) {
     const Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxState> h =
         split.directions.col(i).transpose() * seen.H;
     fill(h, split.variance(i), row);
-    scratch.G.noalias() += weight_of(weights, row.variance) * row.h.transpose() *
+    scratch.G.noalias() += weight_of(weights, row) * row.h.transpose() *
                            (split.directions.col(i).transpose() * scratch.J);
   }
 }
 
 /// The same of markers that share a part of their noise, which their rows and what
 /// their errors do are freed of together.
-template <class Begin>
+/// @param errors errors(turns): J of the answer in the scratch
+template <class Errors>
 void add_shared(const System& system, const PlacedDevice& placed,
-                const TargetPose& X_WT, RowWeights weights, Begin&& begin,
+                const TargetPose& X_WT, RowWeights weights, Errors&& errors,
                 CalibrationScratch& scratch) {
   MeasureScratch& measure = scratch.measure;
   const Eigen::Index c = measure.row.h.size();
@@ -116,24 +42,50 @@ void add_shared(const System& system, const PlacedDevice& placed,
   std::size_t stride = 0;
   each_marker(system, placed, X_WT, measure, [&](const Eigen::Vector3d& arm) {
     const Observation& seen = measure.observation;
-    const ErrorColumns columns = begin(seen.z.size());
-    if (c + columns.size > kMaxState)
+    errors(false);
+    const Eigen::Index k = scratch.J.cols();
+    if (c + k > kMaxState)
       blame(placed, "has more errors of calibration than are kept beside the state");
-    fill_errors(placed, columns, false, scratch);
     stride = static_cast<std::size_t>(seen.z.size());
     for (Eigen::Index r = 0; r < seen.z.size(); ++r) {
       fill_point_row(system, placed, arm, seen.H.row(r), seen.R(r, r), measure.row);
       StateRow whole = measure.row;
-      whole.h.conservativeResize(c + columns.size);
-      whole.h.tail(columns.size) = scratch.J.row(r);
+      whole.h.conservativeResize(c + k);
+      whole.h.tail(k) = scratch.J.row(r);
       measure.rows.push_back(whole);
     }
   });
   if (weights == RowWeights::information)
     part_shared_noise(placed, stride, measure.rows);
   for (const StateRow& row : measure.rows)
-    scratch.G.noalias() += weight_of(weights, row.variance) *
-                           row.h.head(c).transpose() * row.h.tail(row.h.size() - c);
+    scratch.G.noalias() += weight_of(weights, row) * row.h.head(c).transpose() *
+                           row.h.tail(row.h.size() - c);
+}
+
+/// G of one device in the scratch, c×k.
+/// @param errors errors(turns): J of the answer in the scratch, and a G of its size
+template <class Errors>
+void add_device(const System& system, const PlacedDevice& placed,
+                const TargetPose& X_WT, RowWeights weights, Errors&& errors,
+                CalibrationScratch& scratch) {
+  MeasureScratch& measure = scratch.measure;
+  if (placed.device->span() != Span::point) {
+    if (const auto view = look_at_motion(system, placed, X_WT, measure)) {
+      errors(true);
+      add_answer(weights, scratch, [&](const auto& h, double variance, StateRow& row) {
+        fill_motion_row(system, placed, *view, h, variance, row);
+      });
+    }
+  } else if (shares_noise(placed)) {
+    add_shared(system, placed, X_WT, weights, errors, scratch);
+  } else {
+    each_marker(system, placed, X_WT, measure, [&](const Eigen::Vector3d& arm) {
+      errors(false);
+      add_answer(weights, scratch, [&](const auto& h, double variance, StateRow& row) {
+        fill_point_row(system, placed, arm, h, variance, row);
+      });
+    });
+  }
 }
 
 /// The same of a device on the target. A target that turns about its origin moves what
@@ -160,14 +112,60 @@ void add_beacons(const System& system, const PlacedDevice& placed,
         if (columns.place >= 0)
           j.segment<3>(columns.place) =
               (X_WS.R.transpose() * h_p).cwiseProduct(known.place).transpose();
+        if (columns.delay >= 0)
+          j.segment<3>(columns.delay) =
+              -lag_along_an_axis(system, known) * h_p.transpose();
         if (columns.orientation >= 0)
           j.segment<3>(columns.orientation) =
               (X_WS.R.transpose() * (h.segment<3>(turns).transpose() - arm.cross(h_p)))
                   .cwiseProduct(known.orientation)
                   .transpose();
-        scratch.G.topRows(d).noalias() +=
-            h.transpose() * (s.share * weight_of(weights, r.variance)) * j;
+        const double weight = weights == RowWeights::plain ? 1 : 1 / r.variance;
+        scratch.G.topRows(d).noalias() += h.transpose() * (s.share * weight) * j;
       });
+}
+
+/// A row over the state of which devices fill in what they measure.
+void begin(const System& system, const PlacedDevice& placed,
+           CalibrationScratch& scratch) {
+  const int c = information_size(system);
+  StateRow& row = scratch.measure.row;
+  row.h.setZero(c);
+  row.share = 1;
+  if (placed.clock) row.h(*placed.clock) = 1;
+  scratch.G.resize(c, 0);
+}
+
+/// @throws DeviceFault there are too many
+void size_errors(const PlacedDevice& placed, int columns, CalibrationScratch& scratch) {
+  if (columns > kMaxErrors)
+    blame(placed,
+          "has more than " + std::to_string(kMaxErrors) + " errors of calibration");
+  if (scratch.G.cols() != columns) scratch.G.setZero(scratch.G.rows(), columns);
+}
+
+/// w G of one device and one source of errors, c×k in the scratch.
+void find_errors(const System& system, const PlacedDevice& placed,
+                 const ErrorSource& source, const TargetPose& X_WT,
+                 CalibrationScratch& scratch, RowWeights weights) {
+  begin(system, placed, scratch);
+  if (placed.sees_beacons()) {
+    const ErrorColumns columns(system, source, 0);
+    size_errors(placed, columns.size, scratch);
+    add_beacons(system, placed, X_WT, weights, columns, scratch);
+  } else {
+    add_device(
+        system, placed, X_WT, weights,
+        [&](bool turns) {
+          const Eigen::Index rows = scratch.measure.observation.z.size();
+          const ErrorColumns columns(system, source, static_cast<int>(rows));
+          size_errors(placed, columns.size, scratch);
+          fill_errors(system, placed, source, columns, turns, scratch);
+        },
+        scratch);
+  }
+  if (weights == RowWeights::information)
+    scratch.G *= information_weight(system, placed);
 }
 
 }  // namespace
@@ -175,41 +173,45 @@ void add_beacons(const System& system, const PlacedDevice& placed,
 void find_calibration(const System& system, const PlacedDevice& placed,
                       const TargetPose& X_WT, CalibrationScratch& scratch,
                       RowWeights weights) {
-  const int c = information_size(system);
-  MeasureScratch& measure = scratch.measure;
-  measure.row.h.setZero(c);
-  if (placed.clock) measure.row.h(*placed.clock) = 1;
-  scratch.G.resize(c, 0);
-  const auto begin = [&](Eigen::Index rows) {
-    const ErrorColumns columns(placed, static_cast<int>(rows));
-    if (columns.size > kMaxErrors)
-      blame(placed,
-            "has more than " + std::to_string(kMaxErrors) + " errors of calibration");
-    if (scratch.G.cols() != columns.size) scratch.G.setZero(c, columns.size);
-    return columns;
-  };
-  if (placed.sees_beacons()) {
-    add_beacons(system, placed, X_WT, weights, begin(0), scratch);
-  } else if (placed.device->span() != Span::point) {
-    if (const auto view = look_at_motion(system, placed, X_WT, measure)) {
-      fill_errors(placed, begin(measure.observation.z.size()), true, scratch);
-      add_answer(weights, scratch, [&](const auto& h, double variance, StateRow& row) {
-        fill_motion_row(system, placed, *view, h, variance, row);
-      });
-    }
-  } else if (shares_noise(placed)) {
-    add_shared(system, placed, X_WT, weights, begin, scratch);
-  } else {
-    each_marker(system, placed, X_WT, measure, [&](const Eigen::Vector3d& arm) {
-      fill_errors(placed, begin(measure.observation.z.size()), false, scratch);
-      add_answer(weights, scratch, [&](const auto& h, double variance, StateRow& row) {
-        fill_point_row(system, placed, arm, h, variance, row);
-      });
-    });
+  find_errors(system, placed, {&placed.calibration, placed.doubtful}, X_WT, scratch,
+              weights);
+  scratch.of_source = scratch.G * scratch.G.transpose();
+}
+
+void find_common_error(const System& system, std::size_t number, const TargetPose& X_WT,
+                       CalibrationScratch& scratch, RowWeights weights) {
+  const PlacedCommonError& common = system.common_errors[number];
+  const ErrorSource source{&common.of, {}, &common.X_WF};
+  const ErrorColumns columns(system, source, 1);
+  scratch.all.setZero(information_size(system), columns.size);
+  for (const PlacedDevice& placed : system.devices) {
+    const auto& shared = placed.common_errors;
+    if (!std::binary_search(shared.begin(), shared.end(), number)) continue;
+    find_errors(system, placed, source, X_WT, scratch, weights);
+    // One that sees nothing has none.
+    if (scratch.G.cols() == columns.size) scratch.all += scratch.G;
   }
-  const double weight =
-      weights == RowWeights::plain ? 1 : information_weight(system, placed);
-  scratch.of_device = weight * weight * scratch.G * scratch.G.transpose();
+  scratch.of_source = scratch.all * scratch.all.transpose();
+}
+
+void find_lateness(const System& system, const TargetPose& X_WT,
+                   CalibrationScratch& scratch, RowWeights weights) {
+  scratch.all.setZero(information_size(system), 1);
+  for (const PlacedDevice& placed : system.devices) {
+    const double late = placed.without_sight.bias;
+    if (late == 0 || !reads_without_sight(system, placed)) continue;
+    begin(system, placed, scratch);
+    const auto errors = [&](bool) {
+      const MeasureScratch& measure = scratch.measure;
+      size_errors(placed, 1, scratch);
+      scratch.J.setConstant(measure.observation.z.size(), 1, measure.hidden ? late : 0);
+    };
+    add_device(system, placed, X_WT, weights, errors, scratch);
+    if (weights == RowWeights::information)
+      scratch.G *= information_weight(system, placed);
+    if (scratch.G.cols() == 1) scratch.all += scratch.G;
+  }
+  scratch.of_source = scratch.all * scratch.all.transpose();
 }
 
 StateMatrix calibration_spread(const System& system, const TargetPose& X_WT,
@@ -219,9 +221,14 @@ StateMatrix calibration_spread(const System& system, const TargetPose& X_WT,
   for (const PlacedDevice& placed : system.devices) {
     if (placed.calibration.exact()) continue;
     find_calibration(system, placed, X_WT, scratch, weights);
-    spread += scratch.of_device;
+    spread += scratch.of_source;
   }
-  return spread;
+  for (std::size_t i = 0; i < system.common_errors.size(); ++i) {
+    find_common_error(system, i, X_WT, scratch, weights);
+    spread += scratch.of_source;
+  }
+  find_lateness(system, X_WT, scratch, weights);
+  return spread + scratch.of_source;
 }
 
 }  // namespace delos

@@ -22,6 +22,7 @@ struct MeasureScratch {
   Target target;
   Observation observation;
   StateRow row;
+  bool hidden = false;         // what stands in the answer's way
   std::vector<StateRow> rows;  // that share a part of their noise
   BeaconSearch beacons;
 };
@@ -60,7 +61,15 @@ void set_own(const PlacedDevice& placed, const Row& row, StateRow& out) {
     out.h.segment(placed.own.first, placed.own.size) = row.tail(placed.own.size);
 }
 
-/// Visit every marker in view: `visit(arm)`, with the device's answer in the scratch.
+/// A reading without sight as those that are seen: with its noise, and how often it is
+/// there.
+inline void weaken(const WithoutSight& without, Observation& out, double& share) {
+  share = without.probability;
+  out.R.diagonal().array() += without.sigma * without.sigma;
+}
+
+/// Visit every marker that is read: `visit(arm)`, with the device's answer in the
+/// scratch.
 template <class Visit>
 bool each_marker(const System& system, const PlacedDevice& placed,
                  const TargetPose& X_WT, MeasureScratch& scratch, Visit&& visit) {
@@ -74,7 +83,11 @@ bool each_marker(const System& system, const PlacedDevice& placed,
     if (!observe_target(placed, 3 + placed.own.size, scratch.target,
                         scratch.observation))
       continue;
-    if (may_hide && !in_sight(system, placed, X_WT, marker)) continue;
+    scratch.hidden = may_hide && !in_sight(system, placed, X_WT, marker);
+    if (scratch.hidden && !placed.without_sight.arrives()) continue;
+    scratch.row.share = 1;
+    if (scratch.hidden)
+      weaken(placed.without_sight, scratch.observation, scratch.row.share);
     seen = true;
     visit(arm);
   }

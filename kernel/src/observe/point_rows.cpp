@@ -72,6 +72,23 @@ void look(const System& system, const PlacedDevice& placed, const PlacedMarker& 
   }
 }
 
+/// What is read without sight, of variance r + σ² and p of the time: of the weight
+/// p/(r + σ²).
+void weaken(const PlacedDevice& placed, PointRows& out) {
+  const WithoutSight& without = placed.without_sight;
+  const double more = placed.noise * without.sigma * without.sigma;
+  for (std::uint64_t left = out.hidden; left != 0; left &= left - 1) {
+    const int l = std::countr_zero(left);
+    for (int r = 0; r < out.rows; ++r) {
+      double& weight = out.weight[r][l];
+      const double variance = (weight > 0 ? 1 / weight : 0) + more;
+      weight = variance > 0 ? without.probability / variance : 0;
+    }
+  }
+  if (more > 0) out.perfect &= ~out.hidden;
+  out.hidden = 0;
+}
+
 /// What a device answers of one marker at up to kLanes poses.
 /// @returns false where it has no entry for many points, or sees beacons
 bool ask_lanes(const PlacedDevice& placed, const PlacedMarker& marker,
@@ -131,6 +148,7 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
     out.perfect |= perfect[r];
   }
   if (may_be_hidden(system, placed)) look(system, placed, marker, poses, sight, out);
+  if (placed.without_sight.arrives()) weaken(placed, out);
   return true;
 }
 

@@ -15,7 +15,7 @@ struct PointRows {
   double h[kMaxLaneRows][kMaxCoordinates][kLanes];
   double weight[kMaxLaneRows][kLanes];  ///< 1/r; 0 where not in view, or perfect
   std::uint64_t in_view = 0;            ///< lanes that the device would see
-  std::uint64_t hidden = 0;             ///< of those: something is in the way
+  std::uint64_t hidden = 0;             ///< of those: something is in the way of all
   std::uint64_t perfect = 0;            ///< of those: with a row of no noise
   std::uint64_t rays = 0;               ///< sight lines that were looked along
 

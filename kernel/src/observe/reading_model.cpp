@@ -166,7 +166,10 @@ bool ReadingModel::predict(const TrackReading& reading, const StateVector& x,
   const auto finish = [&] {
     check_reading(placed, out.answer);
     out.z = out.answer.z;
-    out.R = placed.noise * out.answer.R;
+    out.R = out.answer.R;
+    const double sigma = placed.without_sight.sigma;
+    if (reading.without_sight) out.R.diagonal().array() += sigma * sigma;
+    out.R *= placed.noise;
     if (placed.clock) {
       out.z.array() += x(*placed.clock);
       out.H.col(*placed.clock).setOnes();

@@ -2,6 +2,7 @@
 
 #include "delos/model/lanes.h"
 #include "observe/point_rows.h"
+#include "rig/sight.h"
 
 namespace delos {
 
@@ -12,7 +13,9 @@ Sightings::Sightings(const System& system) {
   for (std::size_t i = 0; i < system.devices.size(); ++i) {
     // The number of rows is the same of every point, a far-away one's too.
     const TargetPose anywhere{Eigen::Matrix3d::Identity(), {1, 2, 3}};
-    const bool by_rows = observe_rows(system, system.devices[i], {0, 0, 0},
+    // Rows that fade in a shadow aren't smooth across its edge.
+    const bool by_rows = !reads_without_sight(system, system.devices[i]) &&
+                         observe_rows(system, system.devices[i], {0, 0, 0},
                                       {&anywhere, 1}, nullptr, rows);
     if (by_rows) {
       for (const PlacedMarker& marker : system.markers) {

@@ -139,7 +139,8 @@ bool SoftInformation::has_slopes(const PlacedDevice& placed) const {
   SmoothRows rows;
   return !placed.carried() && !placed.clock && placed.own.size == 0 &&
          placed.looks_from_origin() && placed.device->span() == Span::point &&
-         !shares_noise(placed) && observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
+         !shares_noise(placed) && !reads_without_sight(system_, placed) &&
+         observe_smoothly(placed, {0.1, 0.2, 1.0}, rows);
 }
 
 template <class Visit>
@@ -148,7 +149,8 @@ std::optional<double> SoftInformation::measure_smoothly(const PlacedDevice& plac
                                                         Sightline* lines, StateRow& row,
                                                         Visit&& visit) const {
   if (placed.carried() || placed.own.size > 0 || !placed.looks_from_origin() ||
-      placed.device->span() != Span::point || shares_noise(placed))
+      placed.device->span() != Span::point || shares_noise(placed) ||
+      reads_without_sight(system_, placed))
     return std::nullopt;
   row.h.setZero(columns_);
   if (placed.clock) row.h(*placed.clock) = 1;

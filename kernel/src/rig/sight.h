@@ -22,6 +22,12 @@ enum class Sight : std::uint8_t {
 /// markers that may face away.
 [[nodiscard]] bool may_be_hidden(const System& system, const PlacedDevice& placed);
 
+/// Whether there may be readings that come through what stands in their way.
+[[nodiscard]] inline bool reads_without_sight(const System& system,
+                                              const PlacedDevice& placed) {
+  return placed.without_sight.arrives() && may_be_hidden(system, placed);
+}
+
 /// Whether nothing stands between something in the world and something on the target:
 /// a device and a marker, or a beacon and a device.
 /// @param in_world where the one is, in W

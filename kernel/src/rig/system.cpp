@@ -170,6 +170,21 @@ std::vector<DoubtfulParameter> doubtful_parameters(const PluginInfo& info,
   return doubtful;
 }
 
+PlacedCommonError placed_error(const Scene& scene, const CommonError& common) {
+  PlacedCommonError placed{common.name, {}, common.of};
+  for (const Group& group : scene.groups)
+    if (group.name == common.group) placed.X_WF = pose_of(group.placement);
+  return placed;
+}
+
+std::vector<std::size_t> common_errors_of(const Scene& scene,
+                                          const DeviceEntry& entry) {
+  std::vector<std::size_t> shared;
+  for (std::size_t i = 0; i < scene.common_errors.size(); ++i)
+    if (shares_error(scene.common_errors[i], entry)) shared.push_back(i);
+  return shared;
+}
+
 /// The scene's markers, then those of its bodies.
 std::vector<PlacedMarker> placed_markers(const Scene& scene) {
   std::vector<PlacedMarker> markers(scene.markers.begin(), scene.markers.end());
@@ -231,6 +246,8 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     placed.params = entry.params;
     placed.device = reuse(previous, system.devices.size(), entry);
     placed.calibration = entry.calibration;
+    placed.common_errors = common_errors_of(scene, entry);
+    placed.without_sight = entry.without_sight;
     const PluginLoad& plugin = plugins.find(entry.type);
     if (!plugin.info) throw std::runtime_error(plugin.error);
     if (!placed.device) placed.device = make_device(*plugin.info, entry.params);
@@ -257,6 +274,9 @@ System build_system(const Scene& scene, PluginRegistry& plugins,
     placed.own = add_states(placed.name, placed.device->states(), system.motion);
     system.devices.push_back(std::move(placed));
   }
+  for (const CommonError& common : scene.common_errors)
+    system.common_errors.push_back(placed_error(scene, common));
+  system.speed = scene.speed;
   return system;
 }
 
@@ -278,12 +298,17 @@ bool has_one_exposure(const System& system) {
                      });
 }
 
+bool has_constant_errors(const System& system) {
+  return !system.common_errors.empty() ||
+         std::any_of(system.devices.begin(), system.devices.end(),
+                     [](const PlacedDevice& d) {
+                       return !d.calibration.exact() || d.without_sight.bias != 0;
+                     });
+}
+
 Definition definition_of(const System& system) {
-  const bool doubtful =
-      std::any_of(system.devices.begin(), system.devices.end(),
-                  [](const PlacedDevice& d) { return !d.calibration.exact(); });
   return {system.fusion, system.covariance, system.lag,
-          doubtful ? std::optional(system.error) : std::nullopt};
+          has_constant_errors(system) ? std::optional(system.error) : std::nullopt};
 }
 
 bool counts_bias(const System& system) {

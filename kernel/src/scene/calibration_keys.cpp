@@ -4,9 +4,11 @@
 #include <span>
 #include <string_view>
 
+#include "delos/device/faults.h"
 #include "delos/scene/definition.h"
-#include "delos/text/units.h"
 #include "document/node_text.h"
+#include "scene/reading_unit.h"
+#include "scene/search_keys.h"
 
 namespace delos {
 namespace {
@@ -42,17 +44,14 @@ Written deviations_node(const Eigen::Vector3d& deviations) {
   return vector_node(deviations);
 }
 
-/// In whatever unit the device's readings have.
-void read_offset(Reader& reader, const Place& at, Calibration& out) {
-  if (!reader.expect(at, Node::Kind::scalar, "a number")) return;
-  for (const char* unit : {"1", "m", "rad", "px", "s", "m/s", "rad/s", "m/s^2"}) {
-    const auto parsed = parse_quantity(at.node().text, unit);
-    if (const auto* offset = std::get_if<double>(&parsed)) {
-      if (is_deviation(reader, at, *offset)) out.offset = *offset;
-      return;
-    }
-  }
-  reader.number(at, "1");  // which says what is wrong
+void read_deviation_of(Reader& reader, const Place& at, const char* unit, double& out) {
+  const auto value = reader.number(at, unit);
+  if (value && is_deviation(reader, at, *value)) out = *value;
+}
+
+Written deviation_node(double deviation) {
+  if (deviation == 0) return std::nullopt;
+  return to_node(deviation);
 }
 
 /// The plugin's row of a name; null where it has none.
@@ -105,7 +104,10 @@ Written params_node(const Calibration& calibration) {
 
 struct Draft {
   Calibration calibration;
-  const PluginInfo* info = nullptr;
+  const PluginInfo* info = nullptr;  ///< of one device
+  std::vector<std::string> devices;  ///< that have them in common
+  std::string group;
+  const Scene* scene = nullptr;  ///< of these
 };
 
 constexpr char kMetres[] = "m", kRadians[] = "rad";
@@ -115,7 +117,7 @@ std::vector<Shape> deviation_forms() {
   return {number(kUnit, at_least(0)), numbers(kUnit, 3, 3, at_least(0))};
 }
 
-constexpr std::array<Key<Draft>, 4> kCalibrationKeys = {{
+constexpr std::array<Key<Draft>, 5> kErrorKeys = {{
     {"place", Need::optional,
      "standard deviation of where it stands, one or along each of its axes",
      either(deviation_forms<kMetres>),
@@ -132,24 +134,74 @@ constexpr std::array<Key<Draft>, 4> kCalibrationKeys = {{
      [](const Draft& d) { return deviations_node(d.calibration.orientation); }},
     {"offset", Need::optional, "of what each of its readings is off by, all the time",
      number(nullptr, at_least(0)),
-     [](Reader& r, const Place& p, Draft& d) { read_offset(r, p, d.calibration); },
-     [](const Draft& d) -> Written {
-       if (d.calibration.offset == 0) return std::nullopt;
-       return to_node(d.calibration.offset);
-     }},
+     [](Reader& r, const Place& p, Draft& d) {
+       const auto value = read_in_any_unit(r, p);
+       if (value && is_deviation(r, p, *value)) d.calibration.offset = *value;
+     },
+     [](const Draft& d) { return deviation_node(d.calibration.offset); }},
+    {"scale", Need::optional, "of its readings, as a part of each, such as 0.2 %",
+     number("1", at_least(0)),
+     [](Reader& r, const Place& p, Draft& d) {
+       read_deviation_of(r, p, "1", d.calibration.scale);
+     },
+     [](const Draft& d) { return deviation_node(d.calibration.scale); }},
+    {"delay", Need::optional,
+     "of how much older its readings are than taken for; counts with target.speed",
+     number("s", at_least(0)),
+     [](Reader& r, const Place& p, Draft& d) {
+       read_deviation_of(r, p, "s", d.calibration.delay);
+     },
+     [](const Draft& d) { return deviation_node(d.calibration.delay); }},
+}};
+
+constexpr std::array<Key<Draft>, 1> kOneDeviceKeys = {{
     {"params", Need::optional, "of its own parameters, by their names", parameters(),
      [](Reader& r, const Place& p, Draft& d) {
        read_known_params(r, p, d.info, d.calibration);
      },
      [](const Draft& d) { return params_node(d.calibration); }},
 }};
+constexpr auto kCalibrationKeys = concat(kErrorKeys, kOneDeviceKeys);
+
+constexpr std::array<Key<Draft>, 2> kMemberKeys = {{
+    {"devices", Need::optional,
+     "which devices have them in common; default: those of the group, or all in the "
+     "world",
+     names(),
+     [](Reader& r, const Place& p, Draft& d) {
+       d.devices = read_device_names(r, p, *d.scene);
+     },
+     [](const Draft& d) -> Written {
+       if (d.devices.empty()) return std::nullopt;
+       std::vector<Node> names;
+       for (const std::string& name : d.devices) names.push_back(to_node(name));
+       return to_node(std::move(names));
+     }},
+    {"group", Need::optional,
+     "about whose origin and axes place and orientation are; default: the world's",
+     text(),
+     [](Reader& r, const Place& p, Draft& d) {
+       auto group = r.word(p);
+       if (!group) return;
+       std::vector<std::string> known;
+       for (const Group& one : d.scene->groups) known.push_back(one.name);
+       if (std::find(known.begin(), known.end(), *group) == known.end())
+         r.error(p, "there is no group '" + *group + '\'' + suggestion(*group, known));
+       d.group = std::move(*group);
+     },
+     [](const Draft& d) -> Written {
+       if (d.group.empty()) return std::nullopt;
+       return to_node(d.group);
+     }},
+}};
+constexpr auto kCommonErrorKeys = concat(kMemberKeys, kErrorKeys);
 
 /// What a device's readings can't tell of its errors; empty: nothing.
 std::string untold(const std::string& key, const DeviceEntry& entry,
                    const Device& device, const StateLayout* layout) {
   const bool carried = entry.mount == Mount::target;
   const bool turn = key == "orientation";
-  if (key == "place" || turn) {
+  if (key == "place" || key == "delay" || turn) {
     if (device.span() == Span::state)
       return "says nothing to a device that measures the state, wherever it is";
     if (carried && device.span() != Span::point)
@@ -166,9 +218,79 @@ std::string untold(const std::string& key, const DeviceEntry& entry,
              : "";
 }
 
+/// A problem of errors, at the key that they are written under.
+void refuse(Reader& reader, const Place& root, const Scene& scene,
+            const std::string& problem) {
+  for (std::size_t i = 0; i < scene.devices.size(); ++i) {
+    const DeviceEntry& device = scene.devices[i];
+    const Node& node = root.node().find("devices")->items[i];
+    const auto say = [&](const char* key) {
+      reader.error_within(root, node.find(key)->mark,
+                          "devices." + device.name + '.' + key, problem);
+    };
+    if (!device.calibration.exact()) say("calibration");
+    if (device.without_sight.bias != 0) say("without_sight");
+  }
+  if (!scene.common_errors.empty())
+    reader.error_within(root, root.node().find("common_errors")->mark, "common_errors",
+                        problem);
+}
+
+/// What readings are late by is told by how fast the target is.
+void check_delays(Reader& reader, const Place& root, const Scene& scene) {
+  if (scene.speed > 0) return;
+  const auto refuse_at = [&](const Place& at) {
+    if (const Node* delay = at.node().find("delay"))
+      reader.error_within(at, delay->mark, "delay",
+                          "does nothing to a target at rest; say how fast it is, such "
+                          "as target: {speed: 1.5 m/s}");
+  };
+  for (std::size_t i = 0; i < scene.devices.size(); ++i) {
+    if (scene.devices[i].calibration.delay == 0) continue;
+    const Node& device = root.node().find("devices")->items[i];
+    refuse_at(Place(root, "devices." + scene.devices[i].name + ".calibration",
+                    *device.find("calibration")));
+  }
+  for (std::size_t i = 0; i < scene.common_errors.size(); ++i)
+    if (scene.common_errors[i].of.delay > 0)
+      refuse_at(Place(root, "common_errors." + scene.common_errors[i].name,
+                      root.node().find("common_errors")->items[i]));
+}
+
+/// Its devices must be there, stand in the world, and tell what these errors do.
+void check_common_error(Reader& reader, const Place& at, const CommonError& common,
+                        const Scene& scene) {
+  bool any = false;
+  for (const DeviceEntry& entry : scene.devices) {
+    const bool named = std::find(common.devices.begin(), common.devices.end(),
+                                 entry.name) != common.devices.end();
+    if (named && entry.mount == Mount::target)
+      reader.error(at, "is of devices in the world, but the target carries " +
+                           entry.name + "; give it a calibration of its own");
+    if (!shares_error(common, entry)) continue;
+    any = true;
+    const PluginInfo* info = reader.plugins.find(entry.type).info;
+    if (!info) continue;
+    try {
+      const auto device = make_device(*info, entry.params);
+      for (const Node::Key& key : at.node().keys)
+        if (const std::string problem = untold(key.text, entry, *device, nullptr);
+            !problem.empty())
+          reader.error_within(at, key.mark, key.text,
+                              "of " + entry.name + ' ' + problem);
+    } catch (const Unbuildable&) {
+      continue;  // which is another finding
+    }
+  }
+  if (!any) reader.error(at, "is of no device");
+  if (common.of.exact())
+    reader.error(at, "says of no error; give one, or leave it out");
+}
+
 }  // namespace
 
 std::vector<KeyShape> calibration_keys() { return keys_of<kCalibrationKeys>(); }
+Shape common_error_shape() { return map<kCommonErrorKeys>(); }
 
 void read_calibration(Reader& reader, const Place& at, DeviceEntry& out) {
   Draft draft;
@@ -180,6 +302,37 @@ void read_calibration(Reader& reader, const Place& at, DeviceEntry& out) {
 Written write_calibration(const DeviceEntry& device) {
   if (device.calibration.exact()) return std::nullopt;
   return write_map(kCalibrationKeys, Draft{device.calibration});
+}
+
+void read_common_errors(Reader& reader, const Place& at, Scene& scene) {
+  if (!reader.expect(at, Node::Kind::map, "a mapping of names to common errors"))
+    return;
+  const Node& node = at.node();
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Place place(at, node.keys[i].text, node.items[i]);
+    const std::size_t before = reader.findings.errors();
+    const std::string name = reader.key_name(at, i);
+    Draft draft;
+    draft.scene = &scene;
+    if (!read_map(reader, place, kCommonErrorKeys, draft)) continue;
+    CommonError common{name, std::move(draft.devices), std::move(draft.group),
+                       std::move(draft.calibration)};
+    if (reader.findings.errors() == before)
+      check_common_error(reader, place, common, scene);
+    scene.common_errors.push_back(std::move(common));
+  }
+}
+
+Written write_common_errors(const Scene& scene) {
+  if (scene.common_errors.empty()) return std::nullopt;
+  Node map;
+  map.kind = Node::Kind::map;
+  for (const CommonError& common : scene.common_errors) {
+    map.keys.push_back({common.name, {}});
+    map.items.push_back(write_map(
+        kCommonErrorKeys, Draft{common.of, nullptr, common.devices, common.group}));
+  }
+  return map;
 }
 
 void check_calibration(Reader& reader, const Place& at, const DeviceEntry& entry,
@@ -203,12 +356,8 @@ void check_calibrations(Reader& reader, const Place& root, const Scene& scene) {
     problem =
         "isn't known where the information of several orientations is combined; "
         "use combine: worst or mean, or error: scatter";
-  if (problem.empty()) return;
-  for (std::size_t i = 0; i < scene.devices.size(); ++i)
-    if (!scene.devices[i].calibration.exact())
-      reader.error_within(
-          root, root.node().find("devices")->items[i].find("calibration")->mark,
-          "devices." + scene.devices[i].name + ".calibration", problem);
+  if (!problem.empty()) refuse(reader, root, scene, problem);
+  check_delays(reader, root, scene);
 }
 
 }  // namespace delos

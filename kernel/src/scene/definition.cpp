@@ -73,8 +73,7 @@ bool takes(const Scene& scene, Fusion fusion) {
     return false;
   if (!calibration_problem(scene.motion, {fusion, scene.covariance, 0, scene.error})
            .empty() &&
-      std::any_of(scene.devices.begin(), scene.devices.end(),
-                  [](const DeviceEntry& d) { return !d.calibration.exact(); }))
+      has_constant_errors(scene))
     return false;
   if (fusion == Fusion::stacked) return has_one_rate(scene);
   return scene.motion.in_continuous_time() ||
@@ -104,6 +103,22 @@ const ClockEntry* clock_entry(const Scene& scene, const std::string& clock) {
       std::find_if(scene.clocks.begin(), scene.clocks.end(),
                    [&](const ClockEntry& known) { return known.name == clock; });
   return entry == scene.clocks.end() ? nullptr : &*entry;
+}
+
+bool shares_error(const CommonError& common, const DeviceEntry& device) {
+  if (device.mount != Mount::world) return false;
+  if (!common.devices.empty())
+    return std::find(common.devices.begin(), common.devices.end(), device.name) !=
+           common.devices.end();
+  return common.group.empty() || device.group == common.group;
+}
+
+bool has_constant_errors(const Scene& scene) {
+  return !scene.common_errors.empty() ||
+         std::any_of(scene.devices.begin(), scene.devices.end(),
+                     [](const DeviceEntry& d) {
+                       return !d.calibration.exact() || d.without_sight.bias != 0;
+                     });
 }
 
 std::string free_clock_problem(const Definition& definition) {
@@ -292,10 +307,8 @@ std::string exposure_problem(const MotionModel& motion, const Definition& defini
 }
 
 Definition definition_of(const Scene& scene) {
-  const bool doubtful =
-      std::any_of(scene.devices.begin(), scene.devices.end(),
-                  [](const DeviceEntry& d) { return !d.calibration.exact(); });
-  const auto error = doubtful ? std::optional(scene.error) : std::nullopt;
+  const auto error =
+      has_constant_errors(scene) ? std::optional(scene.error) : std::nullopt;
   if (scene.covariance == CovarianceKind::single)
     return {Fusion::stacked, CovarianceKind::single, scene.lag, error};
   return {scene.fusion.value_or(default_fusion(scene)), scene.covariance, scene.lag,

@@ -12,6 +12,7 @@
 #include "scene/placement_keys.h"
 #include "scene/sample_time_keys.h"
 #include "scene/surface_keys.h"
+#include "scene/without_sight_keys.h"
 #include "scene/words.h"
 
 namespace delos {
@@ -50,17 +51,50 @@ std::vector<Shape> coordinate_forms() {
   return {number("1", between(0, 1)), numbers("1", 1, 2, between(0, 1))};
 }
 
-constexpr std::array<Key<DeviceEntry>, 22> kDeviceKeys = {{
+std::vector<const char*> preset_names() {
+  std::vector<const char*> names;
+  for (const DevicePreset& preset : device_presets()) names.push_back(preset.name);
+  return names;
+}
+
+/// After the type, which it may say.
+void read_preset(Reader& reader, const Place& at, DeviceEntry& out) {
+  auto name = reader.word(at);
+  if (!name) return;
+  const DevicePreset* preset = device_preset(*name);
+  if (!preset) {
+    std::vector<std::string> known;
+    for (const DevicePreset& one : device_presets()) known.emplace_back(one.name);
+    return reader.error(
+        at, "there is no preset '" + *name + '\'' + suggestion(*name, known));
+  }
+  if (out.type.empty()) out.type = preset->type;
+  if (out.type != preset->type)
+    return reader.error(at, "is of a " + std::string(preset->type) + ", not of a " +
+                                out.type + "; leave 'type' out");
+  out.preset = std::move(*name);
+}
+
+constexpr std::array<Key<DeviceEntry>, 24> kDeviceKeys = {{
     member_key<&DeviceEntry::name>("name", Need::required,
                                    "a word of your own that messages and paths use",
                                    name()),
-    {"type", Need::required, "id of the plugin that models it", text(),
+    {"type", Need::optional,
+     "id of the plugin that models it; required where no preset says it", text(),
      [](Reader& r, const Place& p, DeviceEntry& d) {
        if (auto type = r.word(p)) d.type = std::move(*type);
        if (p.node().kind == Node::Kind::scalar && d.type.empty())
          r.error(p, "is empty; 'delos devices' lists the plugins");
      },
      [](const DeviceEntry& d) -> Written { return to_node(d.type); }},
+    {"preset", Need::optional,
+     "published figures of a device that one can buy; 'delos devices --presets' lists "
+     "them",
+     choice_of(preset_names), read_preset,
+     [](const DeviceEntry& d) -> Written {
+       if (d.preset.empty()) return std::nullopt;
+       return to_node(d.preset);
+     }},
     {"rate", Need::optional, "updates a second, such as 50 Hz",
      number("1/s", above(0, "; a device that is off is left out")),
      MemberRow<&DeviceEntry::rate>::read,
@@ -143,6 +177,9 @@ constexpr std::array<Key<DeviceEntry>, 22> kDeviceKeys = {{
     {"calibration", Need::optional,
      "how well it is known: standard deviations of constant errors",
      map(calibration_keys), read_calibration, write_calibration},
+    {"without_sight", Need::optional,
+     "what becomes of readings where something stands in the way; default: none are",
+     map(without_sight_keys), read_without_sight, write_without_sight},
 }};
 
 void check_group(Reader& reader, const Place& at, const DeviceEntry& device,
@@ -282,6 +319,7 @@ void check_device(Reader& reader, const Place& at, const PluginInfo& info,
                           "measures more than the pose, of which a single reading is; "
                           "use covariance: prior or posterior");
     check_calibration(reader, at, entry, *device, layout);
+    check_without_sight(reader, at, entry, *device);
     if (!layout) return;
     const std::string problem = pose_problem(*layout, device->span());
     if (!problem.empty()) return reader.error(at, problem);
@@ -317,13 +355,19 @@ void read_device(Reader& reader, const Place& at, Around& around, DeviceEntry& o
   check_mount(reader, at, out);
   check_group(reader, at, out, around.groups);
   check_sample_time(reader, at, out);
-  if (out.type.empty()) return;
-  const PluginLoad& plugin = reader.plugins.find(out.type);
-  if (!plugin.info) {
-    reader.error_within(at, at.node().find("type")->mark, "type", plugin.error);
+  if (out.type.empty()) {
+    if (!at.node().find("type") && !at.node().find("preset"))
+      reader.error_within(at, at.node().mark, "type",
+                          "missing: id of the plugin that models it");
     return;
   }
-  read_params(reader, at, *plugin.info, out.params);
+  const PluginLoad& plugin = reader.plugins.find(out.type);
+  if (!plugin.info) {
+    const char* key = at.node().find("type") ? "type" : "preset";
+    reader.error_within(at, at.node().find(key)->mark, key, plugin.error);
+    return;
+  }
+  read_params(reader, at, *plugin.info, device_preset(out.preset), out.params);
   if (reader.findings.errors() == before)
     check_device(reader, at, *plugin.info, around, out);
 }

@@ -111,10 +111,19 @@ std::optional<ParamValue> default_value(Reader& reader, const PluginInfo& info,
   return read_value(reader, Place(Place(root), spec.name, *node), spec);
 }
 
+/// A preset's parameters as a scene writes them; without one a mapping of none.
+Node preset_params(Reader& reader, const DevicePreset* preset) {
+  const Node none{Node::Kind::map, {}, {}, {}, {}};
+  if (!preset) return none;
+  const int source = reader.findings.add_source("preset " + std::string(preset->name));
+  const std::string text = '{' + std::string(preset->params) + '}';
+  return parse_yaml(text, source, false, reader.findings).value_or(none);
+}
+
 }  // namespace
 
 void read_params(Reader& reader, const Place& device, const PluginInfo& info,
-                 ParamValues& out) {
+                 const DevicePreset* preset, ParamValues& out) {
   const std::span<const ParamSpec> table(info.params, info.n_params);
   const Node* given = device.node().find("params");
   const Node nothing{Node::Kind::map, device.node().mark, {}, {}, {}};
@@ -129,8 +138,10 @@ void read_params(Reader& reader, const Place& device, const PluginInfo& info,
       reader.error_within(at, key.mark, key.text,
                           "unknown key" + suggestion(key.text, known));
 
+  const Node published = preset_params(reader, preset);
   for (const ParamSpec& spec : table) {
     const Node* value = node.find(spec.name);
+    if (!value) value = published.find(spec.name);
     std::optional<ParamValue> read;
     if (value)
       read = read_value(reader, Place(at, spec.name, *value), spec);

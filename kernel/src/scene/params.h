@@ -3,14 +3,17 @@
 
 #include "delos/device/parameters.h"
 #include "delos/plugin.h"
+#include "delos/scene/presets.h"
 #include "document/reader.h"
 
 namespace delos {
 
-/// Read the values that `params` gives and fill in the table's defaults.
+/// Read the values that `params` gives, and fill in those of a preset and the table's
+/// defaults.
 /// @param device the device's mapping, in which `params` may be absent
+/// @param preset null: none
 void read_params(Reader& reader, const Place& device, const PluginInfo& info,
-                 ParamValues& out);
+                 const DevicePreset* preset, ParamValues& out);
 
 [[nodiscard]] Node write_params(const ParamValues& params);
 

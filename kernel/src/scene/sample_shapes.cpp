@@ -160,9 +160,9 @@ void check_box(Reader& reader, const Place& at, const Volume& v) {
 // ---- mesh ----
 
 constexpr std::array<Key<MeshShape>, 2> kMeshKeys = {{
-    {"file", Need::required, "a .off, .obj, .ply or .stl file, relative to the scene",
-     text(), read_mesh_file,
-     [](const MeshShape& m) -> Written { return to_node(m.file); }},
+    {"file", Need::required,
+     "a .off, .obj, .ply, .stl, .glb or .gltf file, relative to the scene", text(),
+     read_mesh_file, [](const MeshShape& m) -> Written { return to_node(m.file); }},
     {"scale", Need::optional, "metres per unit of the file", kScaleShape, read_scale,
      write_scale},
 }};

@@ -49,7 +49,7 @@ void read_format(Reader& reader, const Place& at, SceneDraft&) {
 
 // Read in this order: devices need the groups, the surfaces, the beacons and the
 // motion's state.
-constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
+constexpr std::array<Key<SceneDraft>, 28> kSceneKeys = {{
     {"delos", Need::required, "the format's version; begin the file with 'delos: 1'",
      integer(kFormat, kFormat), read_format,
      [](const SceneDraft&) -> Written { return to_node(kFormat); }},
@@ -215,6 +215,12 @@ constexpr std::array<Key<SceneDraft>, 27> kSceneKeys = {{
        read_devices(r, p, d.known, d.scene);
      },
      [](const SceneDraft& d) -> Written { return write_devices(d.scene.devices); }},
+    {"common_errors", Need::optional, "constant errors that devices have in common",
+     table(common_error_shape),
+     [](Reader& r, const Place& p, SceneDraft& d) {
+       read_common_errors(r, p, d.scene);
+     },
+     [](const SceneDraft& d) { return write_common_errors(d.scene); }},
     {"occluders", Need::optional, "what blocks the sight", list(occluder_shape),
      [](Reader& r, const Place& p, SceneDraft& d) {
        read_occluders(r, p, d.scene.occluders);

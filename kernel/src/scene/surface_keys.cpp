@@ -69,8 +69,8 @@ constexpr std::array<Key<SurfaceDraft>, 5> kSurfaceKeys = {{
        if (!rail) return std::nullopt;
        return to_node(rail->points);
      }},
-    {"mesh", Need::optional, "a .off, .obj, .ply or .stl file, relative to the scene",
-     text(),
+    {"mesh", Need::optional,
+     "a .off, .obj, .ply, .stl, .glb or .gltf file, relative to the scene", text(),
      [](Reader& r, const Place& p, SurfaceDraft& d) {
        read_mesh_file(r, p, d.hull.mesh);
      },

@@ -100,7 +100,7 @@ void read_bodies(Reader& reader, const Place& at, Scene& scene) {
   }
 }
 
-constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
+constexpr std::array<Key<Scene>, 3> kTargetKeys = {{
     {"markers", Need::optional,
      "points on the target [[x, y, z], …], metres, in its frame", points(),
      [](Reader& r, const Place& p, Scene& s) {
@@ -122,6 +122,10 @@ constexpr std::array<Key<Scene>, 2> kTargetKeys = {{
        }
        return map;
      }},
+    other_key<&Scene::speed>(
+        "speed", Need::optional,
+        "how fast it is, in any direction, root mean square: what delays count with",
+        number("m/s", at_least(0))),
 }};
 
 }  // namespace
@@ -135,7 +139,8 @@ void read_target(Reader& reader, const Place& at, Scene& scene) {
 }
 
 std::optional<Node> write_target(const Scene& scene) {
-  if (scene.markers == Scene{}.markers && scene.bodies.empty()) return std::nullopt;
+  if (scene.markers == Scene{}.markers && scene.bodies.empty() && scene.speed == 0)
+    return std::nullopt;
   return write_map(kTargetKeys, scene);
 }
 

@@ -1,29 +1,43 @@
 #include "simulation/expectation.h"
 
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "delos/layers/layers.h"
 #include "delos/model/infinity.h"
 #include "delos/model/lanes.h"
 #include "delos/steady/steady_solver.h"
+#include "steady/bias.h"
 
 namespace delos {
 namespace {
 
 /// Solve a system at a pose.
-FusedState solve(const System& system, const TargetPose& pose, SteadyEquation& at) {
+/// @param[out] bias what constant errors add, n×n; null: it isn't asked for
+FusedState solve(const System& system, const TargetPose& pose, SteadyEquation& at,
+                 StateMatrix* bias = nullptr) {
   const InformationLayers layers(system, {pose}, {.threads = 1});
   const auto solver = make_steady_solver(system);
   at = solver->equation();
   LayerBlock empty;
   FusedState state;
   solver->read(layers.block(0, empty), 0, pose, at);
+  const bool counts = bias && counts_bias(system);
+  const StateMatrix S = counts ? information_of(at) : StateMatrix();
   solver->solve(at, {.time_constant = true}, state);
   if (state.status != RiccatiStatus::converged)
     throw std::invalid_argument(
         "not every direction is observed there, so that no filter settles; `delos "
         "point` says which are lost");
+  if (!bias) return state;
+  const int n = system.motion.layout.size();
+  bias->setZero(n, n);
+  if (!counts) return state;
+  CalibrationScratch scratch;
+  const StateMatrix B = BiasSolver(system).covariance(
+      S, calibration_spread(system, pose, scratch), state);
+  bias->topLeftCorner(B.rows(), B.cols()) = B;
   return state;
 }
 
@@ -109,11 +123,15 @@ std::vector<StateVector> steady_variances(const System& system,
   SteadyEquation at = solver->equation();
   LayerBlock scratch;
   FusedState state;
+  std::optional<BiasSolver> bias;
+  if (counts_bias(system)) bias.emplace(system);
   std::vector<StateVector> variances;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const LayerBlock& block = layers.block(i / kLanes, scratch);
     solver->read(block, static_cast<int>(i % kLanes), poses[i], at);
+    const StateMatrix S = bias ? information_of(at) : StateMatrix();
     solver->solve(at, {}, state);
+    if (bias) (*bias)(poses[i], S, state);
     StateVector of = state.covariance(kind).diagonal();
     for (Eigen::Index k = 0; k < of.size() && state.unobservable.cols() > 0; ++k)
       if (state.unobservable.row(k).cwiseAbs().maxCoeff() > 1e-9) of(k) = kInfinity;
@@ -126,7 +144,7 @@ Expectation expectation(const System& system, const TargetPose& pose) {
   Expectation all;
   all.slots = simulated_slots(system);
   SteadyEquation at;
-  FusedState fused = solve(system, pose, at);
+  const FusedState fused = solve(system, pose, at, &all.bias);
   all.time_constant = fused.time_constant;
   if (system.fusion == Fusion::stacked) {
     SteadyState state;
@@ -139,16 +157,17 @@ Expectation expectation(const System& system, const TargetPose& pose) {
     all.looks = {std::move(prior), std::move(posterior)};
     if (system.covariance == CovarianceKind::posterior)
       std::swap(all.looks[0], all.looks[1]);
-    return all;
+  } else {
+    if (system.fusion == Fusion::continuous) {
+      // Its rates' true instants, of which it is the limit.
+      System periodic = system;
+      periodic.fusion = Fusion::periodic;
+      solve(periodic, pose, at);
+    }
+    all.states = at.states;
+    look_at_cycle(system, fused, all);
   }
-  if (system.fusion == Fusion::continuous) {
-    // Its rates' true instants, of which it is the limit.
-    System periodic = system;
-    periodic.fusion = Fusion::periodic;
-    solve(periodic, pose, at);
-  }
-  all.states = at.states;
-  look_at_cycle(system, fused, all);
+  for (CovarianceLook& look : all.looks) look.predicted += all.bias;
   return all;
 }
 

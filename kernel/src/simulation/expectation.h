@@ -24,14 +24,17 @@ struct Expectation {
   std::vector<UpdateSlot> slots;
   std::vector<SteadyState> states;    ///< of each slot, n×n
   std::vector<CovarianceLook> looks;  ///< first that which the scene means
-  double time_constant = 0;           ///< seconds
+  /// What constant errors add to each covariance, n×n; the looks' have it, the states'
+  /// don't. Zero where numbers don't count it.
+  StateMatrix bias;
+  double time_constant = 0;  ///< seconds
 };
 
 /// @throws std::invalid_argument the system can't be simulated, or has no P∞ there
 [[nodiscard]] Expectation expectation(const System& system, const TargetPose& pose);
 
-/// Variances of P∞ at poses, by state; +∞ where a direction that isn't observed reaches
-/// a state.
+/// Variances of P∞, and of constant errors where numbers count them, at poses, by
+/// state; +∞ where a direction that isn't observed reaches a state.
 /// @throws std::invalid_argument as make_steady_solver()
 [[nodiscard]] std::vector<StateVector> steady_variances(
     const System& system, const std::vector<TargetPose>& poses, CovarianceKind kind);

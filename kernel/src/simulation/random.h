@@ -8,7 +8,7 @@ namespace delos {
 
 /// What a run draws; each has a sequence of its own, so that all filters meet the same
 /// targets and the same noise.
-enum class Draw : std::uint64_t { motion, start, readings, beacons };
+enum class Draw : std::uint64_t { motion, start, readings, beacons, errors };
 
 /// SplitMix64 from a start that seed, run and purpose are mixed into. Source: Steele,
 /// Lea, Flood (2014), OOPSLA '14, doi:10.1145/2660193.2660195.

@@ -69,15 +69,17 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
                    const StateVector& x, const Eigen::Matrix3d& R, RunRandom& noise,
                    RunRandom& beacons, ReadingScratch& scratch,
                    std::vector<TrackReading>& readings, StateMatrix& information,
-                   bool& perfect) {
+                   bool& perfect, DrawnErrors* errors) {
   const System& system = model.system();
   const PlacedDevice& placed = system.devices[static_cast<std::size_t>(device)];
   const TargetPose X_WT = model.pose_of(block, x, R);
   TrackReading reading{device, 0, 0, block, {}};
   const auto add = [&] {
     PredictedReading& seen = scratch.predicted;
+    if (errors && !errors->read(reading, x, R, seen, reading.z)) return;
     if (!model.predict(reading, x, R, seen)) return;
-    reading.z = seen.z;
+    if (!errors) reading.z = seen.z;
+    if (errors && reading.without_sight) reading.z.array() += placed.without_sight.bias;
     if (seen.R.isDiagonal(0)) {
       for (Eigen::Index r = 0; r < seen.z.size(); ++r)
         reading.z(r) += std::sqrt(seen.R(r, r)) * noise.normal();
@@ -113,8 +115,10 @@ void draw_readings(const ReadingModel& model, int device, const StateBlock& bloc
     return;
   }
   each_possible_reading(system, placed, X_WT, scratch.beacons,
-                        [&](int, std::size_t of, double) {
+                        [&](int, std::size_t of, double share, bool hidden) {
+                          if (share < 1 && beacons.uniform() >= share) return;
                           reading.of = of;
+                          reading.without_sight = hidden;
                           add();
                         });
 }

@@ -67,6 +67,9 @@ void each_bound(const MotionSteps& steps, const StateMatrix& root, const Tally& 
 }
 
 void check_simulated(const System& system, const SimulationOptions& options) {
+  if (counts_bias(system) && system.error == ErrorPart::bias)
+    throw std::invalid_argument(
+        "errors of filters are scatter and bias together; use error: total or scatter");
   bool exposes = false;
   for (const PlacedDevice& placed : system.devices) exposes |= placed.exposure > 0;
   if (system.lag > 0)
@@ -138,7 +141,8 @@ std::optional<double> settled_after(const Simulation& done, const Expectation& e
     const double predicted =
         (done.kind == CovarianceKind::posterior ? state.posterior : state.prior)
             .topLeftCorner(d, d)
-            .trace();
+            .trace() +
+        expected.bias.topLeftCorner(d, d).trace();
     const bool near = std::abs(at.square.head(d).sum() / predicted - 1) <= within;
     if (!near)
       since.reset();

@@ -26,6 +26,7 @@ TrackRuns::TrackRuns(const System& system, const TargetPose& about,
                      const TrackFilter& filter, std::uint64_t seed,
                      const std::vector<StateVector>* given)
     : system_(system),
+      about_(about),
       model_(system, about, steps.states()),
       expected_(expected),
       steps_(steps),
@@ -35,6 +36,7 @@ TrackRuns::TrackRuns(const System& system, const TargetPose& about,
       filter_(filter),
       seed_(seed),
       given_(given),
+      draws_errors_(counts_bias(system)),
       n_(system.motion.layout.size()) {}
 
 StateVector TrackRuns::error_of(const StateVector& x, const Eigen::Matrix3d& R,
@@ -77,6 +79,11 @@ void TrackRuns::run(std::uint64_t number, Memory& memory, Tally& sums) const {
   RunRandom motion(seed_, number, Draw::motion), begin(seed_, number, Draw::start);
   RunRandom noise(seed_, number, Draw::readings), beacons(seed_, number, Draw::beacons);
   targets_.draw(motion, given_, memory.path);
+  if (draws_errors_) {
+    if (!memory.errors) memory.errors.emplace(system_, about_, steps_.states());
+    RunRandom errors(seed_, number, Draw::errors);
+    memory.errors->draw(errors);
+  }
   TrackEstimate& estimate = memory.estimate;
   const int N = steps_.states();
   StateVector drawn(N);
@@ -106,7 +113,8 @@ void TrackRuns::run(std::uint64_t number, Memory& memory, Tally& sums) const {
     memory.readings.clear();
     for (std::size_t d = 0; d < slot.devices.size(); ++d)
       draw_readings(model_, slot.devices[d], slot.blocks[d], x, R, noise, beacons,
-                    memory.scratch, memory.readings, out.information, tally.perfect);
+                    memory.scratch, memory.readings, out.information, tally.perfect,
+                    memory.errors ? &*memory.errors : nullptr);
     out.at += model_.pose_of({0, n_}, x, R).p;
     gap = memory.readings.empty() ? gap + slot.interval : 0;
     longest = std::max(longest, gap);
@@ -123,7 +131,7 @@ void TrackRuns::run(std::uint64_t number, Memory& memory, Tally& sums) const {
     tally.looks[l].sum += memory.looked[l];
     tally.looks[l].squares += memory.looked[l].cwiseAbs2();
   }
-  const StateMatrix& P = expected_.states.back().posterior;
+  const StateMatrix P = expected_.states.back().posterior + expected_.bias;
   bool lost = false;
   for (int k = 0; k < n_; ++k) lost |= !(error(k) * error(k) <= 100 * P(k, k) + 1e-300);
   // Along a given path, what is lost there is what one wants to see.

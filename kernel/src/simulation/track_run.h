@@ -1,6 +1,7 @@
 // One run: a target, its readings, a filter, and its errors.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "delos/simulation/filter.h"
@@ -25,6 +26,7 @@ class TrackRuns {
     DrawnPath path = {};
     std::vector<TrackReading> readings = {};
     ReadingScratch scratch = {};
+    std::optional<DrawnErrors> errors = {};  ///< made in the first run
     TrackEstimate estimate = {};
     std::vector<StateMatrix> looked = {};
   };
@@ -42,6 +44,7 @@ class TrackRuns {
                                      const TrackEstimate& estimate) const;
 
   const System& system_;
+  TargetPose about_;
   ReadingModel model_;
   const Expectation& expected_;
   const MotionSteps& steps_;
@@ -51,6 +54,7 @@ class TrackRuns {
   const TrackFilter& filter_;
   std::uint64_t seed_;
   const std::vector<StateVector>* given_;
+  bool draws_errors_;  ///< of calibration
   int n_;
 };
 

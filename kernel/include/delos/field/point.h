@@ -29,6 +29,12 @@ struct DeviceShare {
   double calibration = 0;
 };
 
+/// What one error that devices have in common is to a point.
+struct CommonErrorShare {
+  std::string name;
+  double calibration = 0;  ///< relative fall of the metric's loss without it
+};
+
 /// A metric and its value; +∞ where it reads a direction that isn't observed.
 struct MetricValue {
   Metric metric;
@@ -39,6 +45,7 @@ struct MetricValue {
 /// PointReport::metrics, where some device says how well it is known.
 struct ErrorBudget {
   std::vector<double> scatter, bias, total;
+  std::vector<CommonErrorShare> common;  ///< where numbers count the bias
   /// The metric of what plain least squares of one reading makes: all readings weighed
   /// alike, no motion. nullopt where devices of several types have no common scale, and
   /// of metrics that need more than a pose.

@@ -21,10 +21,11 @@ struct TriangleMesh {
 };
 
 /// Read a mesh. The suffix, in either case, tells the format: .off, .obj, .ply and
-/// .stl, the last two as text or binary. Coordinates are taken as they stand: the
-/// caller knows the file's unit (see transformed()). Polygons are fanned into triangles
-/// from their first corner; what isn't a surface (colours, normals, textures) is left
-/// out. glTF isn't read.
+/// .stl, the last two as text or binary, and .glb or .gltf, whose y axis is up and
+/// becomes z. Coordinates are taken as they stand: the caller knows the file's unit
+/// (see transformed()). Polygons are fanned into triangles from their first corner;
+/// what isn't a surface (colours, normals, textures) is left out. Corners of glTF in
+/// one place are one vertex.
 ///
 /// @param progress called now and then with the part of the file read so far, in [0, 1]
 /// @returns at least one triangle; all vertices finite, all indices in range

@@ -21,6 +21,7 @@ struct TrackReading {
   std::size_t of = 0;          ///< which marker, or which beacon of the device's index
   StateBlock block;            ///< the states that the pose that it is of begins with
   decltype(Observation::z) z;  ///< m×1, measurement units
+  bool without_sight = false;  ///< it came through what stands in its way
 };
 
 /// A reading as a state has it.

@@ -100,6 +100,9 @@ struct PlacedDevice {
   StateBlock own;                           ///< its own states
   Calibration calibration;                  ///< how well it is known
   std::vector<DoubtfulParameter> doubtful;  ///< calibration.params
+  /// Which of System::common_errors it has a share in, rising.
+  std::vector<std::size_t> common_errors;
+  WithoutSight without_sight;
 
   /// How the target carries it; null: it stands in the world.
   [[nodiscard]] const TargetMount* carried() const {
@@ -118,6 +121,13 @@ struct PlacedDevice {
   }
 };
 
+/// Errors that several devices have in common.
+struct PlacedCommonError {
+  std::string name;
+  Pose X_WF;  ///< along whose axes and about whose origin they are
+  Calibration of;
+};
+
 /// All that the steady-state equation needs of a scene.
 struct DELOS_API System {
   MotionModel motion;
@@ -133,6 +143,8 @@ struct DELOS_API System {
   double prior = 0;
   std::vector<PlacedMarker> markers;
   std::vector<PlacedDevice> devices;
+  std::vector<PlacedCommonError> common_errors;
+  double speed = 0;                      ///< of the target, root mean square, m/s
   std::vector<BeaconSet> beacon_sets;    ///< what the devices' beacons were made from
   std::vector<OccluderEntry> occluders;  ///< what the two below were made from
   Occluders in_world;                    ///< what hides, in W
@@ -169,7 +181,10 @@ struct DELOS_API System {
 /// adds up.
 [[nodiscard]] DELOS_API bool has_one_exposure(const System& system);
 
-/// Whether numbers count what errors of calibration do.
+/// Whether devices have constant errors: of calibration, or of readings without sight.
+[[nodiscard]] DELOS_API bool has_constant_errors(const System& system);
+
+/// Whether numbers count what constant errors do.
 [[nodiscard]] DELOS_API bool counts_bias(const System& system);
 
 /// What a system's numbers are of.

@@ -29,6 +29,13 @@ struct Definition {
 [[nodiscard]] DELOS_API const ClockEntry* clock_entry(const Scene& scene,
                                                       const std::string& clock);
 
+/// Whether a device has a share in errors that are common.
+[[nodiscard]] DELOS_API bool shares_error(const CommonError& common,
+                                          const DeviceEntry& device);
+
+/// Whether devices have constant errors: of calibration, or of readings without sight.
+[[nodiscard]] DELOS_API bool has_constant_errors(const Scene& scene);
+
 /// Empty where constant errors of calibration can be told what they do; else why not, a
 /// sentence without its subject.
 [[nodiscard]] DELOS_API std::string calibration_problem(const MotionModel& motion,

@@ -24,6 +24,7 @@
 #include "delos/scene/sample_time.h"
 #include "delos/scene/search.h"
 #include "delos/scene/selection.h"
+#include "delos/scene/without_sight.h"
 
 namespace delos {
 
@@ -217,6 +218,7 @@ struct Mounting {
 /// A device of the scene. Every parameter of its table has a value.
 struct DeviceEntry {
   std::string name;
+  std::string preset;  ///< device_preset() that fills in its parameters; may be empty
   std::string type;
   double rate = 0;  ///< updates a second, > 0; where `timing` is given, see rate_of()
   double phase =
@@ -236,7 +238,8 @@ struct DeviceEntry {
   std::optional<Mounting> mounting;
   Placement placement;
   ParamValues params;
-  Calibration calibration;  ///< how well it is known
+  Calibration calibration;     ///< how well it is known
+  WithoutSight without_sight;  ///< of a device in the world that sees points
   friend bool operator==(const DeviceEntry&, const DeviceEntry&) = default;
 };
 
@@ -283,12 +286,16 @@ struct DELOS_API Scene {
   /// Points on the target that point devices observe, metres, in the target's frame.
   std::vector<Eigen::Vector3d> markers = {Eigen::Vector3d::Zero()};
   std::vector<MarkerBody> bodies;  ///< whose markers are observed, too
+  /// How fast the target usually is, in any direction: root mean square, m/s. Only what
+  /// readings that are older than taken for do depends on it.
+  double speed = 0;
   std::vector<Group> groups;
   std::vector<SurfaceEntry> surfaces;
   std::vector<RegionEntry> regions;
   std::vector<BeaconSet> beacons;
   std::vector<ClockEntry> clocks;
   std::vector<DeviceEntry> devices;
+  std::vector<CommonError> common_errors;
   std::vector<OccluderEntry> occluders;
   std::vector<ClutterEntry> clutter;
   /// How near to the ends of a sight line nothing hides, metres: a sensor on a wall, a

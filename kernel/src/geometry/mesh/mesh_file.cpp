@@ -1,4 +1,4 @@
-// Mesh files: PLY by a reader of our own, the others by CGAL's.
+// Mesh files: PLY and glTF by readers of our own, the others by CGAL's.
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/STL.h>
@@ -15,6 +15,7 @@
 #include <string>
 
 #include "delos/geometry/mesh.h"
+#include "geometry/mesh/gltf.h"
 #include "geometry/mesh/ply.h"
 #include "geometry/mesh/soup.h"
 #include "text/nearest.h"
@@ -122,8 +123,9 @@ SoupReader reader_for(const std::filesystem::path& file) {
       return CGAL::IO::read_STL(in, p, f);
     };
   }
+  if (suffix == ".glb" || suffix == ".gltf") return read_gltf;
   refuse(file, "the suffix '" + file.extension().string() +
-                   "' isn't one of .off, .obj, .ply and .stl");
+                   "' isn't one of .off, .obj, .ply, .stl, .glb and .gltf");
 }
 
 /// Why a file that CGAL's reader refused is wrong, as far as can be told.

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
-namespace delos::session {
+#include "delos/api.h"
+#include "delos/scene/scene.h"
+
+namespace delos {
 
 /// A device by name. What has no published figure isn't in it.
 struct DevicePreset {
@@ -15,6 +20,12 @@ struct DevicePreset {
 };
 
 /// In the order of the plugins.
-[[nodiscard]] std::span<const DevicePreset> device_presets();
+[[nodiscard]] DELOS_API std::span<const DevicePreset> device_presets();
 
-}  // namespace delos::session
+/// The one of a name; null where there is none.
+[[nodiscard]] DELOS_API const DevicePreset* device_preset(const std::string& name);
+
+/// Of each preset that devices of a scene have, a line: its name and its source.
+[[nodiscard]] DELOS_API std::vector<std::string> preset_sources(const Scene& scene);
+
+}  // namespace delos
