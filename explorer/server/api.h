@@ -9,6 +9,7 @@
 #include "delos/plugin/registry.h"
 #include "server/awaitable.h"
 #include "server/reply.h"
+#include "server/search_place.h"
 #include "server/visitors.h"
 #include "session/shipped_scenes.h"
 
@@ -33,6 +34,20 @@ namespace delos::server {
 ///   lattice {most}   → {points: lattice_json()}
 ///   blind, worth     → blind_json(), worth_json()
 ///   palette          → palette_json()
+///
+/// Of its searches (search_verbs.cpp says what each reads):
+///
+///   task                                     → search_task()
+///   vary, fix, search_follow, search_accept, search_reject, search_reinstate
+///                                            → description(), as all that change
+///   search_start, select_start, front_start, search_pause, search_resume, search_lock
+///                                            → searched_json()
+///   searches                                 → {searches: [searched_json()]}
+///
+/// GET /api/watch?session=… as a WebSocket: see watch().
+///
+/// Other verbs:
+///
 ///   text             → the scene as YAML
 ///
 /// A change stops what is being worked out of the design before; the newest request of
@@ -44,6 +59,14 @@ class Api {
 
   boost::asio::awaitable<Reply> answer(std::string verb, std::string body);
   [[nodiscard]] Reply scenes() const;
+
+  /// The visitor of that name; null where there is none.
+  [[nodiscard]] std::shared_ptr<Visitor> visitor(const std::string& name) {
+    return visitors_.find(name);
+  }
+  /// Nobody watches a visitor's search any more, or somebody does again.
+  void left(Visitor& visitor);
+  void came_back(Visitor& visitor);
 
   /// Stop all work and wait for its end; whoever waits for it must still be there.
   void stop();
@@ -57,6 +80,7 @@ class Api {
   std::vector<session::ShippedScene> scenes_;
   bool given_;                     ///< the first of them was asked for
   boost::asio::thread_pool pool_;  // outlives the strands of visitors
+  SearchPlace place_;
   Visitors visitors_;
 };
 
