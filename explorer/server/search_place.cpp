@@ -14,7 +14,7 @@ namespace delos::server {
 namespace {
 
 /// Of a thread and of those that it begins; 19 would be the last of all.
-constexpr int kNiceness = 10;
+constexpr int kNiceness = 5;
 
 }  // namespace
 
