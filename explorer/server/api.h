@@ -22,36 +22,38 @@ namespace delos::server {
 ///
 /// Of a design, POST with {session, …}:
 ///
-///   describe, around, pinned                 → description(), surroundings(), or that
-///                                              of what is pinned
-///   change  {set: [{path, value}], gesture}  → description(), as all that change
+///   describe, around, pinned        → description(), surroundings(), or that of what
+///   is
+///                                     pinned
+///   text                            → the scene as YAML
+///   palette                         → palette_json()
+///   change  {set: [{path, value}], gesture}
+///                                   → description(), as all that change
 ///   place   {device, p, R, gesture}
-///   add     {type, preset, at}, copy {device, by}, mirror {device, axis}, remove
-///   {device} undo, redo, pin, unpin field   {most, of: pinned}               →
-///   packed() difference {most}                        → packed(), of draw_difference()
-///   sections {sections: [{origin, u, v}], most}  → packed()
-///   point   {at}     → {point: point_json(), words, ellipsoid, lost}
-///   lattice {most}   → {points: lattice_json()}
-///   blind, worth     → blind_json(), worth_json()
-///   palette          → palette_json()
+///   add     {type, preset, at}, copy {device, by}, mirror {device, axis},
+///   remove  {device}, undo, redo, pin, unpin
+///   field   {most, of: pinned}      → packed()
+///   difference {most}               → packed(), of draw_difference()
+///   sections {sections: [{origin, u, v}], most}
+///                                   → packed()
+///   point   {at}                    → {point: point_json(), words, ellipsoid, lost}
+///   lattice {most}                  → {points: lattice_json()}
+///   blind, worth                    → blind_json(), worth_json()
 ///
-/// Of its searches (search_verbs.cpp says what each reads):
+/// Of its searches; search_verbs.cpp says what each reads:
 ///
-///   task                                     → search_task()
+///   task                            → search_task()
 ///   vary, fix, search_follow, search_accept, search_reject, search_reinstate
-///                                            → description(), as all that change
+///                                   → description()
 ///   search_start, select_start, front_start, search_pause, search_resume, search_lock
-///                                            → searched_json()
-///   searches                                 → {searches: [searched_json()]}
+///                                   → searched_json()
+///   searches                        → {searches: [searched_json()]}
 ///
-/// GET /api/watch?session=… as a WebSocket: see watch().
-///
-/// Other verbs:
-///
-///   text             → the scene as YAML
+/// GET /api/watch?session=…, a WebSocket: see watch().
 ///
 /// A change stops what is being worked out of the design before; the newest request of
-/// field, point or worth takes the place of the one before, which is answered by 409.
+/// field, point or worth takes the place of the one before, which is answered by 409. A
+/// search goes on beside them.
 class Api {
  public:
   /// @param scene what is offered first; empty: none

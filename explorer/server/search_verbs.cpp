@@ -192,9 +192,14 @@ Reply search_start(const Work& work) {
                            number_or(work.request, "seconds", 0, kMostSeconds),
                            work.threads, texts_at(work.request, "locked")};
   const bool goes_on = std::filesystem::exists(file);
-  auto run = std::make_shared<SearchRun>(file, kept, scene_of(work).scene,
-                                         work.visitor.design.file().parent_path(),
-                                         std::move(wish), work.plugins);
+  std::shared_ptr<SearchRun> run;
+  try {
+    run = std::make_shared<SearchRun>(file, kept, scene_of(work).scene,
+                                      work.visitor.design.file().parent_path(),
+                                      std::move(wish), work.plugins);
+  } catch (const std::runtime_error& error) {
+    throw BadRequest(error.what());  // the file, or its folder
+  }
   const Reply reply = begun(work, run);
   if (!goes_on) return reply;
   // The design is the study's from now on: their numbers are of one scene.

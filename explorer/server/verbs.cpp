@@ -53,7 +53,7 @@ constexpr Verb kVerbs[] = {
     {"vary", vary, true},
     {"fix", fix, true},
     {"searches", searches, false},
-    {"search_start", search_start, true},
+    {"search_start", search_start, false},
     {"select_start", select_start, false},
     {"front_start", front_start, false},
     {"search_pause", search_pause, false},

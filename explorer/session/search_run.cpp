@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "delos/scene/definition.h"
+#include "delos/text/units.h"
 #include "session/search_answer.h"
 
 namespace delos::session {
@@ -77,10 +78,24 @@ void SearchRun::edited(Scene scene) {
 
 void SearchRun::lock(const std::string& pattern, bool locked) {
   Study study(file_, plugins_);
+  const std::string shown = design_text();
+  // By itself the round would go on from what is best on all samples, which may be
+  // another design than the one that was looked at and locked.
   study.act(locked ? "lock" : "unlock", pattern);
+  if (!shown.empty()) study.act("inject", shown);
   const std::lock_guard hold(mutex_);
   locked_ = study.summary().locked;
   tell();
+}
+
+/// The best so far as the act `inject` writes it; empty: none.
+std::string SearchRun::design_text() const {
+  const auto shown = best();
+  std::string text;
+  for (std::size_t i = 0; shown && i < shown->values.paths.size(); ++i)
+    text += (i > 0 ? "\n" : "") + shown->values.paths[i] + '=' +
+            shortest(shown->values.values[i]);
+  return text;
 }
 
 void SearchRun::extend(int evaluations) {

@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
-import { axeSource, delos, number, picture, pictures, scenes, settled } from './browser.mjs';
-import { box, openScene, save, test } from './steps.mjs';
+import { axeSource, delos, picture, pictures, scenes, settled } from './browser.mjs';
+import { box, number, openScene, save, test } from './steps.mjs';
 
 /** A copy of a scene, where a study can stand beside it. */
 function roomOf(scene) {
@@ -65,7 +65,8 @@ await test('searched, locked, paused, gone on, kept', [room.file], async (page) 
   await follows(page);
   assert.deepEqual(await place(page), locked, 'what is locked stays');
   const paused = delos('study', room.study, 'show');
-  assert.deepEqual(paused.acts.map((a) => `${a.verb} ${a.argument}`), ['lock devices.s1']);
+  assert.deepEqual(paused.acts.map((a) => a.verb), ['lock', 'inject'], 'it goes on from what was looked at');
+  assert.equal(paused.acts[0].argument, 'devices.s1');
   assert.deepEqual(paused.rounds.map((r) => r.ended), [true, false]);
 
   await page.keyboard.press('Escape');
@@ -93,4 +94,104 @@ await test('searched, locked, paused, gone on, kept', [room.file], async (page) 
   await page.reload();
   await settled(page);
   assert.equal(await number(page, 'mean'), kept, 'a reload loses nothing');
+});
+
+const begun = roomOf('10-better-speakers');
+
+await test('begun in the page, ended by the command line', [begun.file], async (page) => {
+  await settled(page);
+  await page.keyboard.press('s');
+  await page.waitForSelector('[data-variable]');
+  await page.click('text=How');
+  await page.fill('#search-starts', '6');
+  await page.fill('#search-seed', '3');
+  await page.fill('#search-study', '../room.study');
+  await page.click('#search-start');
+  await page.waitForSelector('.message[data-mood=bad]:not(:empty)');
+  assert.ok(!existsSync(join(pictures, 'room.study')), 'nothing outside the folder of the scene');
+  await page.fill('#search-study', 'room.study');
+  await page.click('#search-start');
+  await incumbents(page, 2);
+  await page.click('#search-pause');
+  await reached(page, 'paused', 'ended');
+  assert.equal(await phase(page), 'paused');
+  await page.click('#search-reject');
+  await settled(page);
+  assert.equal(await number(page, 'mean'), delos('field', begun.file).mean, 'taken back');
+}, 1);
+const resumed = delos('study', begun.study, 'resume');
+const alone = delos('optimize', begun.file, '--starts', '6', '--seed', '3');
+assert.deepEqual(resumed.variables, alone.variables, 'as if it had never stopped');
+assert.equal(resumed.best, alone.best);
+
+await test('a study of the command line, gone on with in the page', [begun.file], async (page) => {
+  await settled(page);
+  await page.keyboard.press('s');
+  await page.waitForSelector('[data-variable]');
+  await page.click('text=How');
+  await page.fill('#search-study', 'room.study');
+  await page.click('#search-start');
+  await reached(page, 'ended');
+  await follows(page);
+  const file = await save(page, 'ended.yaml');
+  const text = execFileSync(process.env.DELOS_PROGRAM, ['study', begun.study, 'best', join(pictures, 'best.yaml')], { encoding: 'utf8' });
+  assert.equal(text, '');
+  assert.equal(delos('field', file).mean, delos('field', join(pictures, 'best.yaml')).mean);
+});
+
+await test('a hand while it runs, and designs of before', [roomOf('10-better-speakers').file], async (page) => {
+  await settled(page);
+  await page.keyboard.press('s');
+  await page.waitForSelector('[data-variable]');
+  await page.click('text=How');
+  await page.fill('#search-starts', '40');
+  await page.click('#search-start');
+  await incumbents(page, 3);
+  await page.click('[data-device=s2]');
+  await settled(page);
+  await box(page, 'r').fill('1 mm'); // a better speaker, which no search would give
+  await box(page, 'r').press('Enter');
+  await page.waitForFunction(() => document.querySelector('.curve svg').getAttribute('aria-label').endsWith('round 2'));
+  await page.click('#search-pause');
+  await reached(page, 'paused');
+  await follows(page);
+  assert.equal(await box(page, 'r').inputValue(), '1 mm', 'it stays as the hand has made it');
+  await page.click('[data-incumbent="1 0"]');
+  await follows(page);
+  assert.equal(await metres(page, 'z'), 1.0485, 'the first of all: where it began');
+  assert.equal(await box(page, 'r').inputValue(), '1 mm');
+  await picture(page, 'search-hand');
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.notEqual(await metres(page, 'z'), 1.0485);
+});
+
+await test('by the keyboard alone, in both themes', [], async (page) => {
+  await openScene(page, '12-ceiling-anchors');
+  await page.keyboard.press('s');
+  await page.waitForSelector('[data-variable]');
+  await page.click('text=How');
+  await page.fill('#search-seconds', '20');
+  await page.focus('#search-start');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#search-status[data-phase=ended]');
+  assert.match(await page.textContent('#search-status'), /30 candidates/);
+  for (const theme of ['dark', 'light']) {
+    await picture(page, `selection-${theme}`);
+    await page.evaluate(axeSource);
+    const { violations } = await page.evaluate(() =>
+      window.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'] }),
+    );
+    const said = violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).join(', ')}`);
+    assert.deepEqual(said, [], `contrast and names, ${theme}`);
+    await page.click('[aria-label="Dark or light"]');
+  }
+  await page.focus('#search-accept');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelectorAll('[data-device]').length === 30);
+  await settled(page);
+  const file = await save(page, 'chosen.yaml');
+  assert.equal(delos('field', file).mean, await number(page, 'mean'));
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => document.querySelectorAll('[data-device]').length === 1);
 });
