@@ -39,6 +39,7 @@ std::optional<session::Json> Searches::news(Watched& watched) const {
   watched.news = news;
   session::Json json = searched_json(watched.number, *job, watched.heard);
   if (json.contains("evaluations")) {
+    if (!json["rounds"].empty()) watched.heard.round = json["rounds"].back()["round"];
     watched.heard.evaluations = json["evaluations"];
     if (!json["incumbents"].empty())
       watched.heard.incumbents =

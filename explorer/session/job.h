@@ -25,6 +25,7 @@ enum class Phase {
 struct Heard {
   std::size_t incumbents = 0;  ///< so many of them
   std::size_t evaluations = 0;
+  int round = 0;
 };
 
 /// Done on one thread, asked about and stopped from others.

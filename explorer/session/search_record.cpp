@@ -45,14 +45,27 @@ void SearchRecord::begin_round(int number, const Scene& scene,
     round.logarithmic.push_back(v.scale == ParamScale::log);
   }
   rounds_.push_back(std::move(round));
+  if (rounds_.size() > kMostRounds) forget_round();
+  begun_ = false;
+  waiting_.reset();
   converter_ = std::make_unique<::delos::Design>(scene, plugins);
   counted_.clear();
   best_.reset();
 }
 
+/// The first, with all its designs.
+void SearchRecord::forget_round() {
+  const int first = rounds_.front().number;
+  const auto of_first = [&](const SearchedDesign& one) { return one.round == first; };
+  forgotten_ += std::erase_if(incumbents_, of_first);
+  std::erase_if(designs_, of_first);
+  rounds_.erase(rounds_.begin());
+}
+
 void SearchRecord::part_from_rounds() {
   parted_ = round();
   best_.reset();
+  waiting_.reset();
 }
 
 void SearchRecord::add(const StudyEvaluation& evaluation) {
@@ -65,16 +78,23 @@ void SearchRecord::add(const StudyEvaluation& evaluation) {
                         evaluation.width > 0, evaluation.feasible, {}};
   for (std::size_t i = 0; i < evaluation.x.size(); ++i)
     design.values.push_back(converter_->value(i, evaluation.x[i]));
-  if (!design.soft && design.feasible && design.round > parted_ &&
-      (!best_ || design.objective < best_->objective)) {
-    best_ = design;
-    incumbents_.push_back(design);
-    if (incumbents_.size() > kMostIncumbents) {
-      incumbents_.erase(incumbents_.begin());
-      ++forgotten_;
-    }
-  }
+  const bool begins = start == 0 && !begun_;
+  begun_ = begun_ || begins;
+  if (!design.soft && design.feasible && design.round > parted_) improve(design);
+  if (const auto waiting = begins ? std::exchange(waiting_, {}) : std::nullopt)
+    improve(*waiting);
   keep(std::move(design));
+}
+
+void SearchRecord::improve(const SearchedDesign& design) {
+  std::optional<SearchedDesign>& best = begun_ ? best_ : waiting_;
+  if (best && design.objective >= best->objective) return;
+  best = design;
+  if (!begun_) return;
+  incumbents_.push_back(design);
+  if (incumbents_.size() <= kMostIncumbents) return;
+  incumbents_.erase(incumbents_.begin());
+  ++forgotten_;
 }
 
 /// Evenly over all evaluations: those whose number the stride divides.
@@ -104,7 +124,8 @@ VariableValues SearchRecord::values(std::size_t incumbent) const {
 
 Json SearchRecord::json(const Heard& heard, double sign) const {
   Json rounds = Json::array(), incumbents = Json::array(), designs = Json::array();
-  for (const SearchedRound& round : rounds_) rounds.push_back(round_json(round));
+  for (const SearchedRound& round : rounds_)
+    if (round.number > heard.round) rounds.push_back(round_json(round));
   for (std::size_t i = std::max(heard.incumbents, forgotten_); i < this->incumbents();
        ++i) {
     Json one = searched_json(incumbents_[i - forgotten_], sign);

@@ -33,11 +33,12 @@ struct SearchedDesign {
 };
 
 /// Not thread-safe. Its memory is bounded: of designs that weren't the best of their
-/// time every second is forgotten when there are too many; of those that were, the
-/// first ones.
+/// time every second is forgotten when there are too many; of those that were, and of
+/// rounds, the first ones.
 class SearchRecord {
  public:
-  static constexpr std::size_t kMostDesigns = 400, kMostIncumbents = 1000;
+  static constexpr std::size_t kMostDesigns = 400, kMostIncumbents = 1000,
+                               kMostRounds = 100;
 
   /// A round begins: what was the best before isn't any more.
   /// @param scene that it searches, without what is locked
@@ -71,13 +72,18 @@ class SearchRecord {
 
  private:
   void keep(SearchedDesign design);
+  void forget_round();
+  void improve(const SearchedDesign& design);
 
   std::vector<SearchedRound> rounds_;
   std::unique_ptr<::delos::Design> converter_;  // of the last round
   std::vector<int> counted_;                    // evaluations of each start of it
   std::size_t evaluations_ = 0, stride_ = 1, forgotten_ = 0;
   int parted_ = 0;  ///< rounds up to this one are of another design
-  std::optional<SearchedDesign> best_;
+  /// Whether the design that the round began with is known: before, nothing is better
+  /// than it, and what other starts have found waits.
+  bool begun_ = false;
+  std::optional<SearchedDesign> best_, waiting_;
   std::vector<SearchedDesign> incumbents_, designs_;
 };
 

@@ -12,24 +12,25 @@ namespace delos::session {
 namespace {
 
 /// Scene 10's six variables, at the same part of each one's range.
-StudyEvaluation at(int number, double objective, double part = 0.5) {
+StudyEvaluation evaluated(int number, double objective, double part = 0.5) {
   return {1, {0, number}, 0, objective, true, std::vector<double>(6, part)};
 }
 
-struct Kept {
+struct Recorded {
   Design design = design_of("10-better-speakers");
   SearchRecord record;
-  Kept() { record.begin_round(1, design.loaded().scene, plugins()); }
+  Recorded() { record.begin_round(1, design.loaded().scene, plugins()); }
 };
 
 TEST(SearchRecord, KeepsWhatWasTheBestOfItsTime) {
-  Kept kept;
+  Recorded kept;
   SearchRecord& record = kept.record;
-  StudyEvaluation soft = at(0, 1), missed = at(1, 2);
+  StudyEvaluation soft = evaluated(0, 1), missed = evaluated(1, 2);
   soft.width = 0.1;
   missed.feasible = false;
   for (const StudyEvaluation& e :
-       {soft, missed, at(2, 5), at(3, 6), at(4, 4, 1), at(4, 3), at(2, 0)})
+       {soft, missed, evaluated(2, 5), evaluated(3, 6), evaluated(4, 4, 1),
+        evaluated(4, 3), evaluated(2, 0)})
     record.add(e);
   EXPECT_EQ(record.evaluations(), 5u) << "what is recalled counts once";
   ASSERT_EQ(record.incumbents(), 2u);
@@ -48,10 +49,10 @@ TEST(SearchRecord, KeepsWhatWasTheBestOfItsTime) {
 
   record.part_from_rounds();
   EXPECT_EQ(record.best(), nullptr);
-  record.add(at(5, 1));
+  record.add(evaluated(5, 1));
   EXPECT_EQ(record.best(), nullptr) << "it is of what was before a hand";
   record.begin_round(2, kept.design.loaded().scene, plugins());
-  StudyEvaluation next = at(0, 7);
+  StudyEvaluation next = evaluated(0, 7);
   next.round = 2;
   record.add(next);
   ASSERT_NE(record.best(), nullptr);
@@ -59,9 +60,31 @@ TEST(SearchRecord, KeepsWhatWasTheBestOfItsTime) {
   EXPECT_EQ(record.incumbents(), 3u);
 }
 
+/// Several threads begin with several starts; none is better than what there was before
+/// that is known.
+TEST(SearchRecord, BeginsWithTheDesignThatThereWas) {
+  Recorded kept;
+  const auto other = [](int start, double objective) {
+    StudyEvaluation e = evaluated(0, objective);
+    e.key.start = start;
+    return e;
+  };
+  kept.record.add(other(1, 9));
+  kept.record.add(other(2, 3));
+  EXPECT_EQ(kept.record.best(), nullptr);
+  kept.record.add(evaluated(0, 5));
+  const Json incumbents = kept.record.json({}, 1)["incumbents"];
+  ASSERT_EQ(incumbents.size(), 2u);
+  EXPECT_EQ(incumbents[0]["objective"], 5);
+  EXPECT_EQ(incumbents[0]["evaluation"], 3);
+  EXPECT_EQ(incumbents[1]["objective"], 3);
+  kept.record.add(other(3, 4));
+  EXPECT_EQ(kept.record.incumbents(), 2u);
+}
+
 TEST(SearchRecord, StaysBoundedOverTenThousandEvaluations) {
-  Kept kept;
-  for (int i = 0; i < 10'000; ++i) kept.record.add(at(i, 1.0 / (i + 1)));
+  Recorded kept;
+  for (int i = 0; i < 10'000; ++i) kept.record.add(evaluated(i, 1.0 / (i + 1)));
   const Json all = kept.record.json({}, 1);
   EXPECT_EQ(all["evaluations"], 10'000);
   EXPECT_LE(all["designs"].size(), SearchRecord::kMostDesigns);
@@ -75,6 +98,21 @@ TEST(SearchRecord, StaysBoundedOverTenThousandEvaluations) {
     EXPECT_EQ(designs[i]["evaluation"], (static_cast<int>(i) + 1) * stride);
   EXPECT_THROW((void)kept.record.values(std::size_t{0}), std::invalid_argument)
       << "forgotten";
+}
+
+TEST(SearchRecord, StaysBoundedOverAThousandRounds) {
+  Recorded kept;
+  for (int round = 2; round <= 1000; ++round) {
+    kept.record.begin_round(round, kept.design.loaded().scene, plugins());
+    StudyEvaluation first = evaluated(0, 1);
+    first.round = round;
+    kept.record.add(first);
+  }
+  const Json all = kept.record.json({}, 1);
+  EXPECT_EQ(all["rounds"].size(), SearchRecord::kMostRounds);
+  EXPECT_EQ(all["incumbents"].size(), SearchRecord::kMostRounds);
+  EXPECT_EQ(all["incumbents"].back()["number"], 998);
+  EXPECT_EQ(kept.record.json({0, 0, 999}, 1)["rounds"].size(), 1u);
 }
 
 TEST(SceneChanges, MakeOneSceneOutOfAnother) {

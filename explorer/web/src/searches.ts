@@ -96,6 +96,7 @@ export class Searches {
   take(news: Search, whole: boolean): Search | null {
     const before = this.all.get(news.search) ?? null;
     if (!whole && before?.kind === 'search' && news.kind === 'search') {
+      news.rounds = [...before.rounds, ...news.rounds];
       news.incumbents = [...before.incumbents, ...news.incumbents];
       news.designs = [...before.designs, ...news.designs];
       while (news.designs.length > mostDesigns) news.designs = news.designs.filter((_, k) => k % 2 === 1);

@@ -149,17 +149,17 @@ await test('a hand while it runs, and designs of before', [roomOf('10-better-spe
   await incumbents(page, 3);
   await page.click('[data-device=s2]');
   await settled(page);
-  await box(page, 'r').fill('1 mm'); // a better speaker, which no search would give
+  await box(page, 'r').fill('0.001'); // a better speaker, which no search would give
   await box(page, 'r').press('Enter');
   await page.waitForFunction(() => document.querySelector('.curve svg').getAttribute('aria-label').endsWith('round 2'));
   await page.click('#search-pause');
   await reached(page, 'paused');
   await follows(page);
-  assert.equal(await box(page, 'r').inputValue(), '1 mm', 'it stays as the hand has made it');
+  assert.equal(await box(page, 'r').inputValue(), '0.001', 'it stays as the hand has made it');
   await page.click('[data-incumbent="1 0"]');
   await follows(page);
   assert.equal(await metres(page, 'z'), 1.0485, 'the first of all: where it began');
-  assert.equal(await box(page, 'r').inputValue(), '1 mm');
+  assert.equal(await box(page, 'r').inputValue(), '0.001');
   await picture(page, 'search-hand');
   await page.keyboard.press('Control+z');
   await settled(page);

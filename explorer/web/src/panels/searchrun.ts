@@ -45,10 +45,10 @@ export class SearchRunPanel {
       'section',
       { className: 'search-column', 'aria-label': 'Search' },
       h('div', { className: 'pair' }, h('label', { htmlFor: 'objective' }, 'Minimize'), this.objective),
-      details('How', false, h('div', { className: 'search-options' }, ...[this.evaluations, this.seconds, this.starts, this.seed, this.study].map(([label]) => label))),
       h('div', { className: 'actions', role: 'toolbar', 'aria-label': 'Search' }, ...Object.values(this.buttons)),
       this.status,
       this.curve,
+      details('How', false, h('div', { className: 'search-options' }, ...[this.evaluations, this.seconds, this.starts, this.seed, this.study].map(([label]) => label))),
     );
   }
 
