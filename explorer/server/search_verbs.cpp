@@ -1,9 +1,7 @@
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "server/request.h"
-#include "server/verbs.h"
+#include "server/search_request.h"
 #include "session/front_run.h"
 #include "session/search_run.h"
 #include "session/search_task.h"
@@ -19,20 +17,6 @@ constexpr double kMostLevels = 50, kMostSeconds = 1e6, kMostEvaluations = 1e8;
 
 const session::LoadedScene& scene_of(const Work& work) {
   return work.visitor.design.loaded();
-}
-
-/// A number between two, whole or not; `usual` where there is none. @throws BadRequest
-double number_or(const Json& request, const char* key, double usual, double most,
-                 double least = 0) {
-  if (!request.contains(key)) return usual;
-  const Json& json = request[key];
-  const double value =
-      json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
-  if (!(value >= least && value <= most))
-    throw BadRequest("'" + std::string(key) + "' must be a number from " +
-                     std::to_string(static_cast<long long>(least)) + " to " +
-                     std::to_string(static_cast<long long>(most)));
-  return value;
 }
 
 std::vector<std::string> texts_at(const Json& request, const char* key) {
@@ -65,23 +49,6 @@ std::pair<std::filesystem::path, bool> study_of(const Work& work) {
   return {work.visitor.design.file().parent_path() / name, true};
 }
 
-Searched& now(const Work& work) {
-  Searched* searched = work.visitor.searches.now();
-  if (!searched) throw BadRequest("nothing is searched for");
-  return *searched;
-}
-
-SearchRun& run_of(Searched& searched) {
-  auto* run = dynamic_cast<SearchRun*>(searched.job.get());
-  if (!run) throw BadRequest("this is no search for values of variables");
-  return *run;
-}
-
-bool at_work(const Job& job) {
-  const session::Phase phase = job.phase();
-  return phase == session::Phase::running || phase == session::Phase::waiting;
-}
-
 Reply told(const Searched& searched) {
   return json_reply(searched_json(searched.number, *searched.job));
 }
@@ -104,55 +71,7 @@ StudyPlan plan_of(const Json& request) {
   return plan;
 }
 
-/// Take over what a search has found: a step of the design, or a part of one. The
-/// search isn't told, since it knows.
-std::optional<Reply> take_over(const Work& work, Searched& searched,
-                               std::vector<Override> changes) {
-  if (changes.empty()) return std::nullopt;
-  Visitor& visitor = work.visitor;
-  Diagnostics findings;
-  if (!visitor.design.change(std::move(changes), searched.gesture(), work.plugins,
-                             findings))
-    return refusal(Status::unprocessable,
-                   findings.empty() ? "" : findings.front().message, findings);
-  ++visitor.revision;
-  searched.step = visitor.design.history().steps();
-  return std::nullopt;
-}
-
-/// The design with the best values so far.
-std::optional<Reply> follow(const Work& work, Searched& searched) {
-  const auto best = run_of(searched).best();
-  if (!best) return std::nullopt;
-  const Scene& scene = scene_of(work).scene;
-  return take_over(work, searched,
-                   session::changes_between(
-                       scene, session::with_values(scene, best->values, work.plugins)));
-}
-
-/// The values of those variables that there still are.
-session::VariableValues still_there(const session::VariableValues& all,
-                                    const Scene& scene) {
-  session::VariableValues some;
-  for (std::size_t i = 0; i < all.paths.size(); ++i) {
-    if (std::none_of(scene.variables.begin(), scene.variables.end(),
-                     [&](const VariableEntry& v) { return v.path == all.paths[i]; }))
-      continue;
-    some.paths.push_back(all.paths[i]);
-    some.values.push_back(all.values[i]);
-  }
-  return some;
-}
-
 }  // namespace
-
-void tell_search(Visitor& visitor) {
-  Searched* searched = visitor.searches.now();
-  auto* run = searched ? dynamic_cast<SearchRun*>(searched->job.get()) : nullptr;
-  if (!run) return;
-  ++searched->kept;  // what is found from here on is a step of its own
-  run->edited(visitor.design.loaded().scene);
-}
 
 /// {}
 Reply task(const Work& work) {
@@ -268,65 +187,6 @@ Reply search_lock(const Work& work) {
   if (!locked.is_boolean()) throw BadRequest("'locked' must be true or false");
   run_of(now(work)).lock(text_at(work.request, "path"), locked.get<bool>());
   return told(now(work));
-}
-
-/// {}: the design is the best so far
-Reply search_follow(const Work& work) {
-  return follow(work, now(work))
-      .value_or(json_reply(described(work.visitor, work.plugins)));
-}
-
-/// {}: it stays
-Reply search_accept(const Work& work) {
-  Searched& searched = now(work);
-  if (at_work(*searched.job)) throw BadRequest("stop the search first");
-  if (const auto* selection =
-          dynamic_cast<const session::SelectionRun*>(searched.job.get())) {
-    auto refused = take_over(work, searched, selection->changes());
-    if (refused) return *std::move(refused);
-  } else if (auto refused = follow(work, searched)) {
-    return *std::move(refused);
-  }
-  ++searched.kept;
-  return json_reply(described(work.visitor, work.plugins));
-}
-
-/// {}: the variables are again what they were when the search began
-Reply search_reject(const Work& work) {
-  Searched& searched = now(work);
-  searched.job->pause();
-  Visitor& visitor = work.visitor;
-  const Scene& scene = scene_of(work).scene;
-  const std::vector<Override> back = session::changes_between(
-      scene,
-      session::with_values(scene, still_there(searched.before, scene), work.plugins));
-  if (back.empty()) return json_reply(described(visitor, work.plugins));
-  // Where nothing was done since, that is undoing it.
-  if (searched.kept > 0 || searched.step != visitor.design.history().steps())
-    return changed(work, back, "");
-  visitor.design.undo(work.plugins);
-  ++visitor.revision;
-  tell_search(visitor);
-  return json_reply(described(visitor, work.plugins));
-}
-
-/// {search, incumbent} or {search, point}, by number: that design, as a step
-Reply search_reinstate(const Work& work) {
-  Searched* searched = work.visitor.searches.find(
-      static_cast<int>(number_or(work.request, "search", 0, 1e9)));
-  if (!searched) throw BadRequest("there is no such search any more");
-  const auto index = [&](const char* key) {
-    return static_cast<std::size_t>(number_or(work.request, key, 0, 1e9));
-  };
-  const auto* front = dynamic_cast<const session::FrontRun*>(searched->job.get());
-  const session::VariableValues values =
-      front ? front->point(index("point"))
-            : run_of(*searched).incumbent(index("incumbent"));
-  const Scene& scene = scene_of(work).scene;
-  const std::vector<Override> changes = session::changes_between(
-      scene, session::with_values(scene, values, work.plugins));
-  if (changes.empty()) return json_reply(described(work.visitor, work.plugins));
-  return changed(work, changes, "");
 }
 
 }  // namespace delos::server

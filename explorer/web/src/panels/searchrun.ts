@@ -116,7 +116,7 @@ export class SearchRunPanel {
     buttons.start.textContent = task?.selection ? 'Choose' : 'Search';
     buttons.start.disabled = working || !task || (task.variables.length === 0 && !task.selection);
     buttons.pause.disabled = !working;
-    buttons.resume.disabled = !now || working || now.phase === 'failed' || (now.kind !== 'search' && now.phase === 'ended');
+    buttons.resume.disabled = !now || working || (now.kind !== 'search' && now.phase === 'ended');
     buttons.accept.disabled = !now || now.kind === 'front' || (now.kind === 'search' ? now.incumbents.length === 0 : working || !now.result);
     buttons.reject.disabled = now?.kind !== 'search';
     this.status.textContent = now ? words(now) : task?.selection ? `A choice by ${task.selection}.` : '';
@@ -140,8 +140,9 @@ function words(search: Search): string {
     const chosen = search.result ? `, ${counted(search.result.chosen.length, 'candidate')}, at most ${digits(100 * search.result.gap, 2)} % from the best` : '';
     return last ? `${how}: ${quantity(last.value, search.unit)}, at best ${quantity(last.bound, search.unit)}${chosen}.` : `${how}.`;
   }
-  const { objective, best, result, judged, evaluations } = search;
+  const { objective, best, result, judged, evaluations, incumbents } = search;
+  const none = incumbents.length > 0 ? 'from the design as it is now' : 'none keeps the constraints yet';
   const from = result && judged ? `${quantity(result.initial, objective.unit)} → ${quantity(result.best, objective.unit, 4)}` : quantity(best, objective.unit, 4);
   const why = phase === 'ended' && result ? `, ${result.stop}` : '';
-  return `${how}: ${objective.name} ${best === null && !judged ? 'none keeps the constraints yet' : from} after ${counted(evaluations, 'evaluation')}${why}.`;
+  return `${how}: ${objective.name} ${best === null && !judged ? none : from} after ${counted(evaluations, 'evaluation')}${why}.`;
 }
