@@ -120,13 +120,28 @@ asio::awaitable<Reply> Api::ask(std::string name, Json request) {
   const Stop stop = visitor->newest(name);
   co_return co_await run_on(visitor->strand, [&] {
     return guarded([&] {
-      return verb->work({*visitor, request, plugins_, stop.get(), threads_});
+      return verb->work({*visitor, request, plugins_, place_, stop.get(), threads_});
     });
   });
 }
 
+void Api::left(Visitor& visitor) {
+  const auto job = visitor.searches.job();
+  if (!job) return;
+  const session::Phase phase = job->phase();
+  visitor.waits = phase == session::Phase::running || phase == session::Phase::waiting;
+  if (visitor.waits) job->pause();
+}
+
+void Api::came_back(Visitor& visitor) {
+  if (!std::exchange(visitor.waits, false)) return;
+  const auto job = visitor.searches.job();
+  if (job && job->resume()) place_.launch(job);
+}
+
 void Api::stop() {
   visitors_.stop_all();
+  place_.join();
   pool_.join();
 }
 

@@ -6,18 +6,8 @@
 namespace delos::server {
 namespace {
 
-/// Take a change over, and describe what came of it.
-Reply changed(const Work& work, std::vector<Override> changes) {
-  if (changes.empty()) throw BadRequest("there is nothing to change");
-  Diagnostics findings;
-  if (!work.visitor.design.change(std::move(changes),
-                                  text_or_empty(work.request, "gesture"), work.plugins,
-                                  findings)) {
-    return refusal(Status::unprocessable,
-                   findings.empty() ? "" : findings.front().message, findings);
-  }
-  ++work.visitor.revision;
-  return json_reply(described(work.visitor, work.plugins));
+std::string gesture_of(const Work& work) {
+  return text_or_empty(work.request, "gesture");
 }
 
 /// The first way that leaves the scene in order, else what is wrong with the first.
@@ -26,7 +16,7 @@ Reply changed_somehow(const Work& work, const session::Ways& ways) {
     return refusal(Status::unprocessable, *why);
   std::optional<Reply> first;
   for (const Override& way : std::get<std::vector<Override>>(ways)) {
-    Reply reply = changed(work, {way});
+    Reply reply = changed(work, {way}, gesture_of(work));
     if (reply.status == Status::ok) return reply;
     if (!first) first = std::move(reply);
   }
@@ -39,11 +29,28 @@ const session::LoadedScene& loaded_of(const Work& work) {
 
 /// After undo and redo: where there was nothing to do, all stays.
 Reply stepped(const Work& work, bool done) {
-  if (done) ++work.visitor.revision;
+  if (done) {
+    ++work.visitor.revision;
+    tell_search(work.visitor);
+  }
   return json_reply(described(work.visitor, work.plugins));
 }
 
 }  // namespace
+
+Reply changed(const Work& work, std::vector<Override> changes,
+              const std::string& gesture) {
+  if (changes.empty()) throw BadRequest("there is nothing to change");
+  Diagnostics findings;
+  if (!work.visitor.design.change(std::move(changes), gesture, work.plugins,
+                                  findings)) {
+    return refusal(Status::unprocessable,
+                   findings.empty() ? "" : findings.front().message, findings);
+  }
+  ++work.visitor.revision;
+  tell_search(work.visitor);
+  return json_reply(described(work.visitor, work.plugins));
+}
 
 Reply change(const Work& work) {
   const Json& set = member(work.request, "set");
@@ -53,7 +60,7 @@ Reply change(const Work& work) {
     if (!one.is_object()) throw BadRequest("'set' must be a list of {path, value}");
     changes.push_back({text_at(one, "path"), text_at(one, "value")});
   }
-  return changed(work, std::move(changes));
+  return changed(work, std::move(changes), gesture_of(work));
 }
 
 Reply place(const Work& work) {
@@ -70,7 +77,8 @@ Reply place(const Work& work) {
       session::placing(loaded_of(work).scene, text_at(request, "device"), p, R);
   if (const auto* why = std::get_if<std::string>(&changes))
     return refusal(Status::unprocessable, *why);
-  return changed(work, std::get<std::vector<Override>>(std::move(changes)));
+  return changed(work, std::get<std::vector<Override>>(std::move(changes)),
+                 gesture_of(work));
 }
 
 Reply add(const Work& work) {

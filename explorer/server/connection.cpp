@@ -2,12 +2,14 @@
 
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <optional>
 #include <utility>
 
 #include "server/guard.h"
 #include "server/page.h"
+#include "server/watch.h"
 
 namespace delos::server {
 namespace {
@@ -62,6 +64,14 @@ asio::awaitable<Reply> answer(const Request& request, Api& api) {
   co_return co_await api.answer(target.substr(kApi.size()), request.body());
 }
 
+/// Whose searches a WebSocket is about; null where it is none, or nobody's.
+std::shared_ptr<Visitor> watched_by(const Request& request, Api& api) {
+  const std::string_view target = view(request.target());
+  if (!beast::websocket::is_upgrade(request) || !target.starts_with(kWatch))
+    return nullptr;
+  return api.visitor(std::string(target.substr(kWatch.size())));
+}
+
 /// Why what couldn't be read wasn't; nullopt where there is nobody to tell.
 std::optional<Reply> unreadable(const beast::error_code& error) {
   if (error == http::error::body_limit)
@@ -110,6 +120,8 @@ asio::awaitable<void> serve(asio::ip::tcp::socket socket, Api& api,
     }
     if (error) break;
     const Request request = parser.release();
+    if (const auto watched = watched_by(request, api))
+      co_return co_await watch(std::move(stream), request, watched, api);
     stream.expires_never();  // working it out may take long
     Reply reply = co_await answer(request, api);
     more = co_await send(

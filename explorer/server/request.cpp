@@ -1,6 +1,7 @@
 #include "server/request.h"
 
 #include <cmath>
+#include <limits>
 
 namespace delos::server {
 
@@ -32,6 +33,19 @@ Eigen::VectorXd numbers_at(const Json& list, const char* key, Eigen::Index n) {
     if (!std::isfinite(v(i))) throw wrong;
   }
   return v;
+}
+
+double number_or(const Json& request, const char* key, double usual, double most,
+                 double least) {
+  if (!request.contains(key)) return usual;
+  const Json& json = request[key];
+  const double value =
+      json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  if (!(value >= least && value <= most))
+    throw BadRequest("'" + std::string(key) + "' must be a number from " +
+                     std::to_string(static_cast<long long>(least)) + " to " +
+                     std::to_string(static_cast<long long>(most)));
+  return value;
 }
 
 std::size_t most_samples(const Json& request) {

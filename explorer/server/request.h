@@ -27,6 +27,11 @@ class BadRequest : public std::runtime_error {
 [[nodiscard]] Eigen::VectorXd numbers_at(const Json& list, const char* key,
                                          Eigen::Index n);
 
+/// A number from least to most, whole or not; `usual` where there is none.
+/// @throws BadRequest
+[[nodiscard]] double number_or(const Json& request, const char* key, double usual,
+                               double most, double least = 0);
+
 /// The greatest number of samples under "most"; 0, for all, where there is none.
 /// @throws BadRequest
 [[nodiscard]] std::size_t most_samples(const Json& request);

@@ -49,6 +49,20 @@ constexpr Verb kVerbs[] = {
     {"lattice", lattice, false},
     {"blind", blind, false},
     {"worth", worth, false},
+    {"task", task, false},
+    {"vary", vary, true},
+    {"fix", fix, true},
+    {"searches", searches, false},
+    {"search_start", search_start, false},
+    {"select_start", select_start, false},
+    {"front_start", front_start, false},
+    {"search_pause", search_pause, false},
+    {"search_resume", search_resume, false},
+    {"search_lock", search_lock, false},
+    {"search_follow", search_follow, true},
+    {"search_accept", search_accept, true},
+    {"search_reject", search_reject, true},
+    {"search_reinstate", search_reinstate, true},
 };
 
 }  // namespace

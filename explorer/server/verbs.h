@@ -5,6 +5,7 @@
 #include <string>
 
 #include "server/reply.h"
+#include "server/search_place.h"
 #include "server/visitors.h"
 
 namespace delos::server {
@@ -14,6 +15,7 @@ struct Work {
   Visitor& visitor;
   const Json& request;
   PluginRegistry& plugins;
+  SearchPlace& place;
   const std::atomic<bool>* stop;  ///< set: the answer is of no use any more
   int threads;
 };
@@ -42,6 +44,30 @@ struct Verb {
 [[nodiscard]] Reply redo(const Work& work);
 [[nodiscard]] Reply pin(const Work& work);
 [[nodiscard]] Reply unpin(const Work& work);
+
+/// Take a change over, and describe what came of it; a search at work goes on from
+/// there.
+/// @throws BadRequest there is nothing to change
+[[nodiscard]] Reply changed(const Work& work, std::vector<Override> changes,
+                            const std::string& gesture);
+/// Tell the search at work that the design is another one.
+void tell_search(Visitor& visitor);
+
+// Those that search, beside all others. @throws BadRequest
+[[nodiscard]] Reply task(const Work& work);
+[[nodiscard]] Reply vary(const Work& work);
+[[nodiscard]] Reply fix(const Work& work);
+[[nodiscard]] Reply searches(const Work& work);
+[[nodiscard]] Reply search_start(const Work& work);
+[[nodiscard]] Reply select_start(const Work& work);
+[[nodiscard]] Reply front_start(const Work& work);
+[[nodiscard]] Reply search_pause(const Work& work);
+[[nodiscard]] Reply search_resume(const Work& work);
+[[nodiscard]] Reply search_lock(const Work& work);
+[[nodiscard]] Reply search_follow(const Work& work);
+[[nodiscard]] Reply search_accept(const Work& work);
+[[nodiscard]] Reply search_reject(const Work& work);
+[[nodiscard]] Reply search_reinstate(const Work& work);
 
 // Those that work something out of it. @throws BadRequest
 [[nodiscard]] Reply field(const Work& work);

@@ -32,10 +32,15 @@ void Visitor::stop_all() {
     if (stop) *stop = true;
 }
 
+void Visitor::leave() {
+  stop_all();
+  if (const auto job = searches.job()) job->pause();
+}
+
 std::string Visitors::add(std::shared_ptr<Visitor> visitor) {
   latest_first_.push_front({random_name(), std::move(visitor)});
   if (latest_first_.size() > kMost) {
-    latest_first_.back().visitor->stop_all();
+    latest_first_.back().visitor->leave();
     latest_first_.pop_back();
   }
   return latest_first_.front().name;
@@ -51,7 +56,7 @@ std::shared_ptr<Visitor> Visitors::find(const std::string& name) {
 }
 
 void Visitors::stop_all() {
-  for (const Named& named : latest_first_) named.visitor->stop_all();
+  for (const Named& named : latest_first_) named.visitor->leave();
 }
 
 }  // namespace delos::server

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "server/searches.h"
 #include "session/design.h"
 #include "session/difference.h"
 
@@ -37,12 +38,17 @@ class Visitor {
   session::Design design;        ///< on the strand only
   std::uint64_t revision = 0;    ///< likewise; grows with each change
   std::optional<Pinned> pinned;  ///< likewise
+  Searches searches;             ///< see there
   Strand strand;
+  int watchers = 0;    ///< of its searches; on the server's own thread only
+  bool waits = false;  ///< likewise: a search stopped since nobody watched it
 
   /// The newest request of a kind takes the place of the one before.
   [[nodiscard]] Stop newest(const std::string& kind);
   /// Nothing that is being worked out is of use any more.
   void stop_all();
+  /// Nor is it being searched for.
+  void leave();
 
  private:
   std::map<std::string, Stop> at_work_;  // on the server's own thread only

@@ -16,7 +16,7 @@ bool touch(const std::string& a, const std::string& b) {
 
 /// "+" adds a member and "-" takes one away, each time.
 bool counts_members(const std::string& path) {
-  return path.ends_with(".+") || path.ends_with(".-");
+  return path.ends_with(".+") || path.ends_with(".-") || path == "-";
 }
 
 /// Add a change to others; an earlier one of its path goes where none after it cares.

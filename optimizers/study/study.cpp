@@ -20,6 +20,7 @@
 #include "study/ledger.h"
 #include "study/parts.h"
 #include "study/run_lock.h"
+#include "study/telling_ledger.h"
 
 namespace delos {
 namespace {
@@ -214,7 +215,8 @@ struct Study::State {
   bool begin_next_round();
   void end_round(int number, const std::string& best_scene,
                  std::optional<double> initial, std::optional<double> best);
-  OptimizeResult run_round(int number, const OptimizeOptions& options);
+  OptimizeResult run_round(int number, const OptimizeOptions& options,
+                           const Told& told);
 };
 
 Study::Study(Study&&) noexcept = default;
@@ -375,7 +377,8 @@ void Study::pause() {
 
 std::filesystem::path Study::folder() const { return state_->fact("folder"); }
 
-OptimizeResult Study::State::run_round(int number, const OptimizeOptions& options) {
+OptimizeResult Study::State::run_round(int number, const OptimizeOptions& options,
+                                       const Told& told) {
   const Round at = round(number);
   const StudyPlan of_study = plan();
   std::atomic<bool> stop = false;
@@ -393,7 +396,8 @@ OptimizeResult Study::State::run_round(int number, const OptimizeOptions& option
   search.seed = of_study.seed;
   search.samples = of_study.samples;
   search.cancel = &stop;
-  search.ledger = &whole;
+  TellingLedger telling(whole, number, told);
+  search.ledger = told ? static_cast<EvaluationLedger*>(&telling) : &whole;
   Scene active = at.position.scene;
   remove_locked(active, at.position.locked);
   OptimizeResult result = optimize(active, plugins, search);
@@ -441,7 +445,7 @@ void Study::State::end_round(int number, const std::string& best_scene,
   s.step();
 }
 
-OptimizeResult Study::run(const OptimizeOptions& options) {
+OptimizeResult Study::run(const OptimizeOptions& options, const Told& told) {
   State& s = *state_;
   const RunLock lock(s.file);
   s.database.run("DELETE FROM facts WHERE name = 'pause'");
@@ -451,7 +455,7 @@ OptimizeResult Study::run(const OptimizeOptions& options) {
     const State::Round last = s.round(number);
     try {
       // A round that has ended is run again from what is remembered of it.
-      OptimizeResult result = s.run_round(number, options);
+      OptimizeResult result = s.run_round(number, options, told);
       s.check_there();
       if (s.asked_to_stop(options) || s.acts_from(last.acts).empty()) return result;
     } catch (const std::invalid_argument&) {

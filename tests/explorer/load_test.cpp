@@ -34,14 +34,45 @@ std::string work_of(const Explorer& explorer, int tab) {
   return "";
 }
 
-TEST(Load, TwentyTabsAtOnce) {
+Json search_of(const Explorer& explorer, const std::string& session) {
+  return explorer.ask("searches", session).json()["searches"].back();
+}
+
+/// Six search, of which four do so at once; the others wait for their turn.
+TEST(Load, TwentyTabsAndSearchesAtOnce) {
   Explorer explorer;
+  std::vector<std::string> searching;
+  for (int i = 0; i < 6; ++i) {
+    searching.push_back(explorer.open("10-better-speakers")["session"]);
+    const Answer begun =
+        explorer.ask("search_start", searching.back(),
+                     {{"starts", 500},
+                      {"seed", 1 + i},
+                      {"locked", {i % 2 ? "devices.s1" : "devices.s2"}}});
+    ASSERT_EQ(begun.status, 200) << begun.body;
+  }
   std::vector<std::string> heard(20, "nothing");
   std::vector<std::thread> tabs;
   for (int tab = 0; tab < 20; ++tab)
     tabs.emplace_back([&, tab] { heard[tab] = work_of(explorer, tab); });
   for (std::thread& tab : tabs) tab.join();
   for (const std::string& one : heard) EXPECT_EQ(one, "");
+  int waiting = 0;
+  for (int i = 0; i < 6; ++i) {
+    const Json search = search_of(explorer, searching[i]);
+    if (search["phase"] == "waiting") {
+      ++waiting;
+      continue;
+    }
+    EXPECT_EQ(search["phase"], "running") << search["message"];
+    EXPECT_EQ(search["rounds"][0]["variables"][0],
+              i % 2 ? "devices.s2.at.x" : "devices.s1.at.x")
+        << "its own";
+    EXPECT_GT(search["evaluations"], 0);
+  }
+  EXPECT_EQ(waiting, 2);
+  for (const std::string& session : searching)
+    EXPECT_EQ(explorer.ask("search_follow", session).status, 200);
   const Finished done = explorer.end();
   EXPECT_EQ(done.code, 0) << done.err;
 }

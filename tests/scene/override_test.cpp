@@ -103,6 +103,15 @@ TEST(Override, TakesAMemberAway) {
   EXPECT_EQ(changed("devices.-", "1").devices.front(), all[0]) << "by index";
 }
 
+TEST(Override, TakesAKeyAway) {
+  EXPECT_EQ(changed("-", "name").name, "");
+  EXPECT_FALSE(changed("devices.s2.-", "aim").devices[1] ==
+               load(kGood).scene->devices[1]);
+  const Loaded loaded = load(kGood, {{"-", "nobody"}});
+  ASSERT_EQ(loaded.findings.size(), 1u);
+  EXPECT_NE(loaded.findings[0].find("no such member"), std::string::npos);
+}
+
 TEST(Override, PrefersNamesToIndices) {
   // The device that is called 1 is the first one.
   const std::string text = good_with("name: s1", "name: 1");

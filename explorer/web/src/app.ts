@@ -10,6 +10,7 @@ import { nothingShown, Picture } from './picture';
 import { counted, quantity } from './quantity';
 import { listScenes, Session, type Around, type Description, type Palette, type Vec3 } from './server';
 import { applyTheme, currentTheme, type Theme } from './theme';
+import { searchActions, Searching } from './searching';
 import { firstViewing, middle } from './viewing';
 import { Work } from './work';
 
@@ -31,6 +32,7 @@ export class App {
   private readonly work: Work;
   private readonly answers: Answers;
   private readonly typed: TypedMove;
+  private readonly searching: Searching;
   private readonly viewing = firstViewing();
   private readonly shown = nothingShown();
   private theme: Theme = currentTheme();
@@ -60,6 +62,11 @@ export class App {
       open: () => void this.chooseScene(),
       theme: () => this.toggleTheme(),
       snap: () => this.snap(),
+      search: () => this.searching.toggle(this.shown.selected),
+      beginSearch: () => this.searching.begin(),
+      pauseSearch: () => this.searching.pauseOrResume(),
+      keepSearch: () => this.layout.search.keep(),
+      rejectSearch: () => this.searching.change('search_reject'),
       slice: (axis: number) => this.layout.viewingPanel.slices.toggle(axis),
       slant: () => this.layout.viewingPanel.slices.addSlant(),
       commands: () => this.layout.palette.show(),
@@ -86,6 +93,7 @@ export class App {
         askPalette: doings.add,
         add: (type, preset) => this.make('add', { type, preset, ...(this.shown.asked ? { at: this.shown.asked } : {}) }),
         set: (setting) => this.work.change(setting.path, 'change', { set: [setting], gesture: '' }),
+        searching: searchActions(() => this.searching),
       },
       commands,
     );
@@ -116,6 +124,10 @@ export class App {
       rest: (signal) => this.answers.rest(this.session!, signal),
       failed: (error) => this.failed(error),
       busy: (busy) => this.layout.busy(busy),
+    });
+    this.searching = new Searching(this.layout.search, {
+      change: (place, verb, body) => this.work.change(place, verb, body),
+      failed: (error) => this.failed(error),
     });
     this.listenToMouse();
     listenForKeys(commands, (event) => this.picture.gizmo.take(event, () => this.step('undo')) || this.typed.take(event));
@@ -167,6 +179,7 @@ export class App {
     this.picture.stage.look('corner', description.room);
     this.described();
     this.work.refresh();
+    await this.searching.open(session);
   }
 
   private async change(verb: string, body: object): Promise<void> {
@@ -195,6 +208,7 @@ export class App {
     const { shown, picture } = this;
     if (!shown.description) return;
     this.layout.describe(shown.description, shown.selected);
+    this.searching.describe(shown.description, shown.selected);
     picture.drawDevices(shown, this.colours);
     this.layout.gizmoMode(picture.gizmo.mode, picture.hasIcon(shown.selected));
     if (draw) picture.stage.draw();

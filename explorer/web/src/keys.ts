@@ -23,6 +23,11 @@ export interface Doings {
   open: () => void;
   theme: () => void;
   snap: () => void;
+  search: () => void;
+  beginSearch: () => void;
+  pauseSearch: () => void;
+  keepSearch: () => void;
+  rejectSearch: () => void;
   slice: (axis: number) => void;
   slant: () => void;
   commands: () => void;
@@ -95,6 +100,11 @@ export function commandsOf(doings: Doings): Command[] {
     toggle('Names', 'shift+n', 'names'),
     scene('Pin this design, or unpin', ['p'], () => doings.pin(!hasPin())),
     { ...show('Compare: the design, the difference, side by side', ['c'], () => (viewing.compare = after(comparisons, viewing.compare))), ready: hasPin },
+    scene('Search for a better design: open, close', ['s'], doings.search),
+    scene('Begin the search', ['ctrl+enter'], doings.beginSearch),
+    scene('Pause the search, or go on', ['shift+s'], doings.pauseSearch),
+    scene('Keep the best that the search found', ['shift+k'], doings.keepSearch),
+    scene('Take back what the search found', ['shift+r'], doings.rejectSearch),
     { name: 'Dark or light', keys: ['shift+t'], run: doings.theme },
     { name: 'Keys and mouse', keys: ['?'], run: doings.help },
   ];

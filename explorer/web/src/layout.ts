@@ -11,6 +11,7 @@ import { CommandPalette } from './panels/commandpalette';
 import { ComparePanel } from './panels/compare';
 import { Inspector, type Change } from './panels/inspector';
 import { Report } from './panels/report';
+import { SearchPanel, type SearchActions } from './panels/search';
 import { Start } from './panels/start';
 import { ViewingPanel } from './panels/viewing';
 import { counted, quantity } from './quantity';
@@ -43,6 +44,8 @@ export interface Actions {
   pin: (pinned: boolean) => void;
   set: (setting: Setting) => void;
   snap: () => void;
+  search: () => void;
+  searching: SearchActions;
 }
 
 /** The words of a scene's `fusion`. */
@@ -61,6 +64,7 @@ export class Layout {
   readonly viewingPanel: ViewingPanel;
   readonly addDevice: AddDevice;
   readonly palette: CommandPalette;
+  readonly search: SearchPanel;
   readonly help: HTMLDialogElement;
   private readonly inspector: Inspector;
   private readonly compare: ComparePanel;
@@ -91,6 +95,7 @@ export class Layout {
     this.addDevice = new AddDevice(actions.add);
     this.palette = new CommandPalette(commands, actions.set);
     this.compare = new ComparePanel(viewing, actions.viewed, actions.pin);
+    this.search = new SearchPanel(actions.searching);
     this.report = new Report(actions.ask, actions.clear);
     this.viewingPanel = new ViewingPanel(viewing, actions.viewed);
     this.scene = h('button', { type: 'button', className: 'scene', id: 'scene', title: 'Open another scene', onclick: actions.chooseScene }, 'Open a scene');
@@ -152,6 +157,7 @@ export class Layout {
       h('span', { className: 'space' }),
       this.undo,
       this.redo,
+      h('button', { type: 'button', className: 'word', id: 'search-open', title: 'Search for a better design (S)', 'aria-pressed': 'false', onclick: actions.search }, 'Search'),
       iconButton('save', 'Save as a scene file', actions.save),
       iconButton('theme', 'Dark or light', actions.toggleTheme),
       h('button', { type: 'button', className: 'word', title: 'All commands (Ctrl K)', onclick: () => this.palette.show() }, 'Commands'),
@@ -166,11 +172,16 @@ export class Layout {
       h('aside', { 'aria-label': 'Devices and view' }, this.devices.element, this.viewingPanel.element),
       h(
         'div',
-        { className: 'middle' },
-        this.viewport,
-        h('div', { className: 'top-left' }, this.tools, this.compare.element),
-        this.bar.element,
-        h('div', { className: 'bottom-left' }, this.message, this.hand, this.scaleNote, this.numbers),
+        { className: 'centre' },
+        h(
+          'div',
+          { className: 'middle' },
+          this.viewport,
+          h('div', { className: 'top-left' }, this.tools, this.compare.element),
+          this.bar.element,
+          h('div', { className: 'bottom-left' }, this.message, this.hand, this.scaleNote, this.numbers),
+        ),
+        this.search.element,
       ),
       h(
         'aside',

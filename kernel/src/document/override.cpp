@@ -175,11 +175,24 @@ class Walk {
   Findings& findings_;
 };
 
-/// Take a member out of a list. @param path of the list @param which a name or an index
+/// Take a key with its value out of a map. @returns false where there is none
+bool remove_key(Node& map, const std::string& key) {
+  for (std::size_t i = 0; i < map.keys.size(); ++i) {
+    if (map.keys[i].text != key) continue;
+    map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(i));
+    map.items.erase(map.items.begin() + static_cast<std::ptrdiff_t>(i));
+    return true;
+  }
+  return false;
+}
+
+/// Take a member out of a list, or a key out of a map. @param path of it; empty: all
+/// @param which a name or an index
 void remove_member(Node& root, const std::string& path, const Node& which, Mark where,
                    Findings& findings) {
-  Node* list = Walk(path, where, findings).find(root);
+  Node* list = path.empty() ? &root : Walk(path, where, findings).find(root);
   if (!list) return;
+  if (list->kind == Node::Kind::map && remove_key(*list, which.text)) return;
   const std::string key = split(path).back();
   const Node* member = is_list(*list) && which.kind == Node::Kind::scalar
                            ? find_member(*list, which.text, key)
@@ -187,7 +200,7 @@ void remove_member(Node& root, const std::string& path, const Node& which, Mark 
   if (member)
     list->items.erase(list->items.begin() + (member - list->items.data()));
   else
-    findings.error(where, path + ".-",
+    findings.error(where, path.empty() ? "-" : path + ".-",
                    "there is no such member" +
                        (is_list(*list) ? members_text(*list, which.text, key) : ""));
 }
@@ -211,6 +224,7 @@ void replace_value(Node& root, const std::string& path, Node value, Mark where,
                     where, findings);
     return;
   }
+  if (path == "-") return remove_member(root, "", value, where, findings);
   if (path.ends_with(".-"))
     return remove_member(root, path.substr(0, path.size() - 2), value, where, findings);
   if (Node* node = Walk(path, where, findings).find(root)) *node = std::move(value);

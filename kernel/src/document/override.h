@@ -19,7 +19,7 @@ namespace delos {
 /// before the last means all members there. A key that is absent is added, and checked
 /// like any other; members of lists and of `groups` aren't. `+` after a list adds a
 /// member;
-/// `-` takes the one away whose name or index is the value.
+/// `-` takes the one away whose name or index is the value; of a mapping, the key.
 void replace_value(Node& root, const std::string& path, Node value, Mark where,
                    Findings& findings);
 

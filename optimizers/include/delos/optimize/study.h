@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -127,11 +128,14 @@ class Study {
   /// with the same result as if it hadn't been. Acts of others end a round within a few
   /// evaluations.
   /// @param options its cancel, progress and threads are used
+  /// @param told called with each evaluation, also with those that are remembered; from
+  ///        any thread, but never from two at once
   /// @throws std::runtime_error another process is searching; or the disk is full, …
   /// @throws std::runtime_error somebody deleted the file meanwhile
   /// @throws std::runtime_error what is remembered isn't of this search
   /// @throws std::invalid_argument as optimize()
-  OptimizeResult run(const OptimizeOptions& options);
+  using Told = std::function<void(const StudyEvaluation&)>;
+  OptimizeResult run(const OptimizeOptions& options, const Told& told = {});
 
   /// Everything as text, for people and to compare: the same study gives the same
   /// bytes.
