@@ -1,6 +1,6 @@
 // What can be done, by name and by key.
 import type { Command } from './commands';
-import type { ViewName } from './view/stage';
+import type { ViewName } from './view/eye';
 import type { Viewing } from './viewing';
 
 /** What commands do. */
@@ -9,6 +9,7 @@ export interface Doings {
   viewed: () => void;
   look: (from: ViewName) => void;
   lookThrough: () => void;
+  orthographic: () => void;
   move: (mode: 'translate' | 'rotate') => void;
   letGo: () => void;
   next: (step: number) => void;
@@ -81,6 +82,7 @@ export function commandsOf(doings: Doings): Command[] {
     device('Look through the chosen device', ['0'], doings.lookThrough),
     scene('Snap to 5 cm and 5 degrees', ['n'], doings.snap),
     ...views.map(([from, key, name]) => scene(name, [key], () => doings.look(from))),
+    scene('Without perspective, or with', ['5'], doings.orthographic),
     ...['x', 'y', 'z'].map((axis, k) => scene(`Slice across ${axis}`, [axis], () => doings.slice(k))),
     scene('Add a slanted slice', ['shift+x'], doings.slant),
     toggle('Surface', 'i', 'surface'),

@@ -18,7 +18,7 @@ import type { Scale } from './scale';
 import type { Description, Setting, Vec3 } from './server';
 import type { Shown } from './picture';
 import type { Viewing } from './viewing';
-import type { ViewName } from './view/stage';
+import type { ViewName } from './view/eye';
 
 export interface Actions {
   open: (scene: string) => void;
@@ -133,9 +133,6 @@ export class Layout {
       this.modes.rotate,
       this.snap,
       iconButton('fit', 'Look at the whole room (F)', () => actions.look('corner')),
-      ...(['top', 'front', 'side'] as const).map((from) =>
-        h('button', { type: 'button', className: 'word', title: `Look from the ${from}`, onclick: () => actions.look(from) }, from),
-      ),
     );
     root.append(this.header(), this.main(), this.start.element, this.addDevice.element, this.palette.element, this.help);
   }
@@ -222,6 +219,11 @@ export class Layout {
       one('worst', worst?.value),
       h('span', {}, counted(summary.samples, 'sample'), field.level === 'coarse' ? ', refining…' : ''),
     );
+  }
+
+  /** Something that lies on the picture. */
+  overPicture(element: HTMLElement): void {
+    this.viewport.after(element);
   }
 
   floor(step: number): void {

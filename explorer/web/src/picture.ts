@@ -82,7 +82,7 @@ export class Picture {
     this.baseline.visible = false;
     this.stage.scene.add(this.room.group, this.design, this.baseline);
     this.stage.through(this.fieldView.volume, this.baselineView.volume);
-    this.gizmo = new Gizmo(this.stage, place, dropped);
+    this.gizmo = new Gizmo(this.stage, this.design, place, dropped);
   }
 
   /** Metres between the lines of the floor. */
@@ -105,8 +105,7 @@ export class Picture {
     this.icons.show(description, { selected, frusta, labels }, colours);
     if (pinned) this.baselineIcons.show(pinned.description, { selected: null, frusta, labels: false }, colours);
     const device = description.devices.find((d) => d.name === selected);
-    // Its handles know one picture only.
-    this.gizmo.hold(device?.surface || this.besides(shown) ? null : this.icons.find(selected));
+    this.gizmo.hold(device?.surface || this.stage.eye.asDevice ? null : this.icons.find(selected));
   }
 
   drawProbe({ asked, report, description }: Shown, colours: Drawing): void {
@@ -173,13 +172,13 @@ export class Picture {
   }
 
   hasIcon(name: string | null): boolean {
-    return this.icons.find(name) !== null && !this.stage.halved;
+    return this.icons.find(name) !== null;
   }
 
   lookThrough(device: Device): void {
-    const icon = this.icons.find(device.name);
     this.gizmo.hold(null);
-    if (icon) icon.visible = false; // from inside its housing nothing is seen
+    // From inside its housing nothing is seen.
+    for (const icons of [this.icons, this.baselineIcons]) icons.hide(device.name);
     this.stage.lookThrough(device);
   }
 }

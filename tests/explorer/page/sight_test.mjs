@@ -1,0 +1,246 @@
+// Where the picture is looked at from: views along axes, without perspective, through a device,
+// of two designs at once; and that a hand turns devices in all of them.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { drawn, picture, settled } from './browser.mjs';
+import { box, grab, laboratory, openScene, setValue, test } from './steps.mjs';
+
+const deg = Math.PI / 180;
+/** Where the laboratory's cameras stand, by their names; one of them near the floor. */
+const low = 'c104321';
+const places = Object.fromEntries(
+  [...readFileSync(laboratory, 'utf8').matchAll(/name: (c\d+).*?at: \[([^\]]+)\]/g)].map(([, name, at]) => [name, at.split(',').map(Number)]),
+);
+places[low][2] = 0.5;
+
+/** Where their names stand on the page: as far above each of them. */
+const tags = (page) =>
+  page.$$eval('.labels .tag', (all) =>
+    Object.fromEntries(
+      all.filter((e) => e.style.display !== 'none').map((e) => {
+        const { x, y, width, height } = e.getBoundingClientRect();
+        return [e.textContent, [x + width / 2, y + 2 * height]];
+      }),
+    ),
+  );
+
+/** Straight line of s over t by least squares. @returns slope and the greatest residual */
+function fit(t, s) {
+  const mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
+  const [mt, ms] = [mean(t), mean(s)];
+  const slope = t.reduce((sum, x, i) => sum + (x - mt) * (s[i] - ms), 0) / t.reduce((sum, x) => sum + (x - mt) ** 2, 0);
+  return { slope, off: Math.max(...t.map((x, i) => Math.abs(s[i] - ms - slope * (x - mt)))) };
+}
+
+/** Of what is seen along which axis: right and up, as an axis and its sign. */
+const views = {
+  top: [[0, 1], [1, 1]],
+  below: [[0, 1], [1, -1]],
+  front: [[0, 1], [2, 1]],
+  back: [[0, -1], [2, 1]],
+  side: [[1, 1], [2, 1]],
+  left: [[1, -1], [2, 1]],
+};
+const keys = { top: '7', below: 'Control+7', front: '1', back: 'Control+1', side: '3', left: 'Control+3' };
+const cube = (page, view) => page.locator(`.view-cube [data-view=${view}]`);
+const flat = (page) => page.getAttribute('#orthographic', 'aria-pressed').then((text) => text === 'true');
+
+/** How well the picture is one along an axis, to one scale. @returns pixels a metre */
+async function measure(page, view) {
+  const at = await tags(page);
+  const names = Object.keys(at);
+  assert.equal(names.length, 8, `all names are seen from ${view}`);
+  const [right, up] = views[view].map(([axis, sign], k) => {
+    const found = fit(names.map((n) => places[n][axis]), names.map((n) => at[n][k]));
+    return { off: found.off, slope: found.slope * sign * (k === 0 ? 1 : -1) };
+  });
+  return { right, up };
+}
+
+await test('along axes, without perspective', [laboratory], async (page) => {
+  await settled(page);
+  await setValue(page, `devices.${low}.at.z`, '0.5 m');
+  for (const view of Object.keys(views)) {
+    await page.keyboard.press(keys[view]);
+    await drawn(page);
+    const { right, up } = await measure(page, view);
+    assert.ok(right.slope > 20 && up.slope > 20, `${view}: ${JSON.stringify([right, up])}`);
+    assert.ok(Math.max(right.off, up.off) > 10, 'in perspective what is nearer is larger');
+  }
+  await page.keyboard.press('5');
+  await drawn(page);
+  assert.ok(await flat(page));
+  for (const view of Object.keys(views)) {
+    await page.keyboard.press(keys[view]);
+    await drawn(page);
+    const { right, up } = await measure(page, view);
+    assert.ok(Math.max(right.off, up.off) < 1, `${view}: all is to one scale: ${JSON.stringify([right, up])}`);
+    assert.ok(Math.abs(right.slope / up.slope - 1) < 0.01, `${view}: ${JSON.stringify([right, up])}`);
+  }
+  await page.keyboard.press('7');
+  await drawn(page);
+  await picture(page, 'orthographic-top');
+  const before = await tags(page);
+  await page.keyboard.press('5');
+  await drawn(page);
+  assert.ok(!(await flat(page)));
+  const near = await tags(page);
+  const shift = Object.keys(before).map((n) => Math.hypot(near[n][0] - before[n][0], near[n][1] - before[n][1]));
+  assert.ok(Math.max(...shift) < 120, 'with perspective it is about as large');
+  await page.keyboard.press('5');
+  await drawn(page);
+  assert.deepEqual(await tags(page), before, 'back and forth is no change');
+});
+
+await test('the cube', [laboratory], async (page) => {
+  await settled(page);
+  await setValue(page, `devices.${low}.at.z`, '0.5 m');
+  await picture(page, 'view-cube');
+  await page.click('#orthographic');
+  for (const view of ['top', 'front', 'left']) {
+    await page.keyboard.press('f');
+    await drawn(page);
+    await cube(page, view).click();
+    await drawn(page);
+    const { right, up } = await measure(page, view);
+    assert.ok(right.slope > 20 && up.slope > 20 && Math.max(right.off, up.off) < 1, `a click on ${view}`);
+  }
+  for (const view of ['back', 'side', 'below']) {
+    await cube(page, view).focus();
+    await page.keyboard.press('Enter');
+    await drawn(page);
+    assert.ok((await measure(page, view)).right.slope > 20, `by the keyboard: ${view}`);
+  }
+  // From the front, twelve steps to the right of 15 degrees are half a turn.
+  await cube(page, 'front').focus();
+  await page.keyboard.press('Enter');
+  for (let k = 0; k < 12; ++k) await page.keyboard.press('ArrowRight');
+  await drawn(page);
+  const back = await measure(page, 'back');
+  assert.ok(back.right.slope > 20 && back.right.off < 1, JSON.stringify(back));
+});
+
+/** Turn the hand on a ring by an angle, degrees, clockwise positive as seen. */
+async function turn(page, from, by) {
+  const at = (await tags(page))[low];
+  const ring = 67; // pixels: two thirds of the eye's own ring
+  const around = (d) => [at[0] + ring * Math.cos(d * deg), at[1] + ring * Math.sin(d * deg)];
+  await grab(page, ...around(from));
+  for (let k = 1; k <= 10; ++k) await page.mouse.move(...around(from + (by * k) / 10));
+  await page.mouse.up();
+  await settled(page);
+  await drawn(page);
+}
+
+// The device stands as the room does, so that each view has one of its rings as a circle; it
+// turns by as much as the hand. From above clockwise is a negative yaw, from the front a positive
+// pitch (y is away from the eye), from the right a negative roll.
+await test('rings from views along axes', [laboratory], async (page) => {
+  await settled(page);
+  await page.click(`[data-device=${low}]`);
+  const angle = async (name) => Number((await box(page, name).inputValue()).replace(' deg', ''));
+  const angles = () => Promise.all(['roll', 'pitch', 'yaw'].map(angle));
+  for (const name of ['roll', 'pitch', 'yaw']) {
+    await box(page, name).fill('0 deg');
+    await box(page, name).press('Enter');
+    await settled(page);
+  }
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('r');
+  await page.keyboard.press('Enter'); // by the hand, not by numbers
+  for (const orthographic of [false, true]) {
+    if (orthographic) await page.keyboard.press('5');
+    for (const [key, which, sign] of [['7', 2, -1], ['1', 1, 1], ['3', 0, -1], ['Control+7', 2, 1]]) {
+      await page.keyboard.press(key);
+      await drawn(page);
+      const by = orthographic ? -50 : 35;
+      await turn(page, 40, by);
+      const now = await angles();
+      now.forEach((a, k) => {
+        const wanted = k === which ? sign * by : 0;
+        assert.ok(Math.abs(a - wanted) < 2.5, `${orthographic} ${key}: ${now}, wanted ${wanted} of ${k}`);
+      });
+      if (key === '1') await picture(page, `ring-${orthographic ? 'orthographic' : 'perspective'}`);
+      await page.keyboard.press('Control+z');
+      await settled(page);
+      await drawn(page);
+      assert.ok((await angles()).every((a) => Math.abs(a) < 1e-6), 'one step');
+    }
+  }
+});
+
+const canvas = (page, part) =>
+  page.evaluate((part) => {
+    const source = document.querySelector('#viewport canvas');
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [source.width, source.height];
+    const context = copy.getContext('2d');
+    context.drawImage(source, 0, 0);
+    const half = Math.floor(copy.width / 2);
+    const [x, w] = part === 'left' ? [0, half] : part === 'right' ? [half, half] : [0, copy.width];
+    return Array.from(context.getImageData(x, 0, w, copy.height).data.filter((_, i) => i % 4 !== 3));
+  }, part);
+const differ = (a, b) => a.filter((x, i) => Math.abs(x - b[i]) > 8).length / a.length;
+const shown = async (page, part = 'all') => {
+  await settled(page);
+  for (let k = 0; k < 2; ++k) await drawn(page);
+  return canvas(page, part);
+};
+
+await test('through a device, and two designs with one camera', [laboratory], async (page) => {
+  await settled(page);
+  await page.click('[data-device=c104334]');
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('5');
+  await page.keyboard.press('0');
+  const one = await shown(page);
+  await page.keyboard.press('j');
+  assert.ok(differ(one, await shown(page)) > 0.02, 'through the next one');
+  await page.keyboard.press('k');
+  assert.equal(differ(one, await shown(page)), 0);
+  await box(page, 'yaw').fill('20 deg');
+  await box(page, 'yaw').press('Enter');
+  assert.ok(differ(one, await shown(page)) > 0.02, 'it looks where the device looks now');
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('Control+z');
+  assert.equal(differ(one, await shown(page)), 0);
+
+  await page.keyboard.press('p');
+  await page.keyboard.press('c');
+  const halves = async () => differ(await shown(page, 'left'), await shown(page, 'right'));
+  assert.ok((await halves()) < 0.002, 'both halves look through it');
+  await picture(page, 'beside-through');
+  await page.keyboard.press('Escape');
+  assert.ok(await flat(page), 'and then without perspective again');
+  await page.keyboard.press('Escape');
+  for (const key of ['f', '7', '1']) {
+    await page.keyboard.press(key);
+    assert.ok((await halves()) < 0.002, `one camera for both: ${key}`);
+  }
+  await page.keyboard.press('5');
+  assert.ok((await halves()) < 0.002);
+
+  // The design is the right half, and its handles work there.
+  await page.keyboard.press('f');
+  await page.click('[data-device=c104334]');
+  await settled(page);
+  await drawn(page);
+  const z = Number((await box(page, 'z').inputValue()).replace(' m', ''));
+  const [x, y] = (await tags(page)).c104334;
+  await grab(page, x + 2, y - 40);
+  for (let k = 1; k <= 5; ++k) await page.mouse.move(x + 2, y - 40 - 8 * k);
+  await page.mouse.up();
+  await settled(page);
+  await picture(page, 'beside-moved');
+  assert.ok(Number((await box(page, 'z').inputValue()).replace(' m', '')) > z + 0.2);
+});
+
+await test('a volume without perspective', [], async (page) => {
+  await openScene(page, '01-acoustic');
+  await page.selectOption('#view-body', 'between');
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('5');
+  await settled(page);
+  await page.waitForTimeout(400);
+  await picture(page, 'orthographic-volume');
+});
