@@ -44,6 +44,7 @@ constexpr Verb kVerbs[] = {
     {"unpin", unpin, true},
     {"field", field, false},
     {"difference", difference, false},
+    {"sensitivity", sensitivity, false},
     {"sections", sections, false},
     {"point", point, false},
     {"lattice", lattice, false},

@@ -46,6 +46,7 @@ struct Verb {
 // Those that work something out of it. @throws BadRequest
 [[nodiscard]] Reply field(const Work& work);
 [[nodiscard]] Reply difference(const Work& work);
+[[nodiscard]] Reply sensitivity(const Work& work);
 [[nodiscard]] Reply sections(const Work& work);
 [[nodiscard]] Reply point(const Work& work);
 [[nodiscard]] Reply lattice(const Work& work);

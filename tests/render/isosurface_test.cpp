@@ -25,7 +25,8 @@ Eigen::Vector3d node(const GridShape& grid, std::size_t i) {
 
 template <class F>
 Isosurface cut(const GridShape& grid, double level, F f) {
-  return isosurface(grid, [&](std::size_t i) { return f(node(grid, i)); }, level);
+  return isosurface(
+      grid, [&](std::size_t i) { return f(node(grid, i)); }, level);
 }
 
 const auto radius = [](const Eigen::Vector3d& p) { return p.norm(); };
@@ -34,14 +35,16 @@ const auto radius = [](const Eigen::Vector3d& p) { return p.norm(); };
 // area is 3√3/4.
 TEST(Isosurface, OfALinearFieldIsThePlane) {
   for (const int cells : {2, 5}) {
-    const Isosurface hexagon = cut(cube(0, 1, cells), 1.5,
-                                   [](const Eigen::Vector3d& p) { return p.sum(); });
+    const Isosurface hexagon =
+        cut(cube(0, 1, cells), 1.5, [](const Eigen::Vector3d& p) { return p.sum(); });
     EXPECT_NEAR(area_of(hexagon.mesh), 0.75 * std::sqrt(3.0), 1e-12);
     for (const Eigen::Vector3d& p : hexagon.mesh.vertices)
       EXPECT_NEAR(p.sum(), 1.5, 1e-12);
-    for (const Eigen::Vector3d& n : hexagon.normals)
-      if (n.norm() > 0.5)  // where a corner only touches, triangles have no area
-        EXPECT_NEAR(n.sum(), std::sqrt(3.0), 1e-9) << "towards larger values";
+    for (const Eigen::Vector3d& n : hexagon.normals) {
+      // Where a corner only touches, triangles have no area.
+      if (n.norm() < 0.5) continue;
+      EXPECT_NEAR(n.sum(), std::sqrt(3.0), 1e-9) << "towards larger values";
+    }
   }
 }
 
@@ -66,7 +69,8 @@ TEST(Isosurface, IsClosedAndFacesLargerValues) {
       const auto a = t[k], b = t[(k + 1) % 3];
       edges[std::minmax(a, b)] += a < b ? 1 : -1;
     }
-    volume += mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
+    volume +=
+        mesh.vertices[t[0]].dot(mesh.vertices[t[1]].cross(mesh.vertices[t[2]])) / 6;
   }
   for (const auto& [edge, balance] : edges) ASSERT_EQ(balance, 0);
   const double ball = 4 * std::numbers::pi * r * r * r / 3;

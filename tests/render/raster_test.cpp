@@ -8,13 +8,11 @@
 namespace delos::render {
 namespace {
 
-const Frame kFrame{120, 90, 120};
-const Eigen::AlignedBox3d kRoom(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+const Frame kShown{120, 90, 120};
+const Eigen::AlignedBox3d kCube(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
 const Colour kRed{1, 0, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
 
-Eye eye_at(const char* view) {
-  return {view_of(view), kRoom, {240, 180, 240}};
-}
+Eye eye_at(const char* view) { return {view_of(view), kCube, {240, 180, 240}}; }
 
 std::array<int, 3> pixel(const Raster& raster, int x, int y) {
   const auto bytes = raster.bytes();
@@ -35,7 +33,7 @@ void square(Raster& raster, const Eye& eye, double x, const Colour& colour) {
 TEST(Raster, ShowsTheNearestInAnyOrder) {
   const Eye eye = eye_at("right");
   for (const bool nearer_first : {true, false}) {
-    Raster raster(kFrame, kWhite);
+    Raster raster(kShown, kWhite);
     if (nearer_first) square(raster, eye, 0.5, kRed);
     square(raster, eye, 0, kBlue);
     if (!nearer_first) square(raster, eye, 0.5, kRed);
@@ -44,20 +42,20 @@ TEST(Raster, ShowsTheNearestInAnyOrder) {
   }
 }
 
-// A triangle that leans away from the eye: what is blended in it is the place itself, so
-// that each pixel must get the place that its ray meets. Ray and plane by hand.
+// A triangle that leans away from the eye: what is blended in it is the place itself,
+// so that each pixel must get the place that its ray meets. Ray and plane by hand.
 TEST(Raster, BlendsStraightInTheRoom) {
-  const Eye eye(view_of("0,0,3 m"), kRoom, {240, 180, 240});
+  const Eye eye(view_of("0,0,3 m"), kCube, {240, 180, 240});
   const std::array<Eigen::Vector3d, 3> p{
       Eigen::Vector3d(1, -1, -1), Eigen::Vector3d(1, 1, -1), Eigen::Vector3d(-9, 0, 2)};
   std::array<Corner, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) corners[k] = {eye.seen(p[k]), p[k]};
   const Spot origin = eye.spot({0, 0, 1}), unit = eye.spot({1, 0, 1});
   const double scale = unit.x - origin.x;
-  const Eigen::Vector3d normal = (corners[1].seen - corners[0].seen)
-                                     .cross(corners[2].seen - corners[0].seen);
+  const Eigen::Vector3d normal =
+      (corners[1].seen - corners[0].seen).cross(corners[2].seen - corners[0].seen);
   int seen = 0;
-  Raster raster(kFrame, kWhite);
+  Raster raster(kShown, kWhite);
   // The colour tells both pixels of a shown one apart no more: ask for their mean.
   std::vector<std::pair<std::array<int, 2>, Eigen::Vector3d>> found;
   raster.triangle(eye, corners, [&](const Eigen::Vector3d& at, int x, int y) {
@@ -71,8 +69,7 @@ TEST(Raster, BlendsStraightInTheRoom) {
       for (const double dy : {0.5, 1.5}) {
         const Eigen::Vector3d ray((2 * xy[0] + dx - origin.x) / scale,
                                   (origin.y - 2 * xy[1] - dy) / scale, 1);
-        const Eigen::Vector3d met =
-            normal.dot(corners[0].seen) / normal.dot(ray) * ray;
+        const Eigen::Vector3d met = normal.dot(corners[0].seen) / normal.dot(ray) * ray;
         nearest = std::min(nearest, (met - eye.seen(at)).norm());
       }
     EXPECT_LT(nearest, 1e-9);
@@ -82,8 +79,8 @@ TEST(Raster, BlendsStraightInTheRoom) {
 }
 
 TEST(Raster, CutsWhatIsBehindTheEye) {
-  const Eye eye(view_of("0,0,1 m"), kRoom, {240, 180, 240});
-  Raster raster(kFrame, kWhite);
+  const Eye eye(view_of("0,0,1 m"), kCube, {240, 180, 240});
+  Raster raster(kShown, kWhite);
   // From far ahead to behind the eye, below it.
   const auto corner = [&](double x, double y) {
     return Corner{eye.seen({x, y, -0.3}), Eigen::Vector3d::Zero()};
@@ -98,11 +95,11 @@ TEST(Raster, CutsWhatIsBehindTheEye) {
 
 TEST(Raster, DrawsLinesBeforeWhatTheyLieOnAndBehindWhatHidesThem) {
   const Eye eye = eye_at("right");
-  Raster raster(kFrame, kWhite);
+  Raster raster(kShown, kWhite);
   square(raster, eye, 0, kRed);
   raster.line(eye, eye.seen({0, -1, 0}), eye.seen({0, 1, 0}), kBlue, 2);
   EXPECT_GT(pixel(raster, 60, 45)[2], 200);
-  Raster hidden(kFrame, kWhite);
+  Raster hidden(kShown, kWhite);
   square(hidden, eye, 0.5, kRed);
   hidden.line(eye, eye.seen({0, -1, 0}), eye.seen({0, 1, 0}), kBlue, 2);
   EXPECT_EQ(pixel(hidden, 60, 45), (std::array<int, 3>{255, 0, 0}));

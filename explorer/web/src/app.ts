@@ -160,7 +160,7 @@ export class App {
     sessionStorage.setItem(sessionKey, session.name);
     Object.assign(this.shown, nothingShown(), { description });
     this.ask(null);
-    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', low: null, high: null });
+    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
     this.shown.around = await session.ask<Around>('around');
     this.drawRoom();
     this.picture.stage.look('corner', description.room);

@@ -64,6 +64,8 @@ export interface Summary {
   gained?: number;
   lost?: number;
   definition?: string;
+  /** Of slopes: of which number. */
+  sensitivity?: { path: string; value: number; unit: string };
   /** Of what was pinned, where that is another one. */
   pinned_definition?: string | null;
 }

@@ -193,6 +193,7 @@ export class Layout {
     this.metric.title = description.definition;
     this.fusion.value = description.fusion;
     this.devices.show(description, selected);
+    this.viewingPanel.sensitivity.show(description, selected);
     this.inspector.show(description, selected);
   }
 

@@ -19,6 +19,8 @@ export interface Shown {
   description: Description | null;
   around: Around;
   field: Field | null;
+  /** Slopes of the metric. */
+  slopes: Field | null;
   /** Of the design minus what is pinned. */
   difference: Field | null;
   pinned: { description: Description; field: Field } | null;
@@ -34,6 +36,7 @@ export const nothingShown = (): Shown => ({
   description: null,
   around: { occluders: [], beacons: [] },
   field: null,
+  slopes: null,
   difference: null,
   pinned: null,
   sections: null,
@@ -127,13 +130,13 @@ export class Picture {
   /** Draw the field. @returns what the colours are of, their scale, and which values are marked */
   drawField(shown: Shown, colours: Drawing): { drawn: Field; scale: Scale | null; marks: number[] } {
     const { viewing } = this;
-    const difference = viewing.compare === 'difference' ? shown.difference : null;
+    const difference = viewing.sensitivity ? shown.slopes : viewing.compare === 'difference' ? shown.difference : null;
     const drawn = difference ?? shown.field!;
     const besides = this.besides(shown);
     const range = rangeOf(drawn, ...(besides ? [shown.pinned!.field] : []));
     const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
     const options = this.optionsOf(drawn, scale, shown.description!.box);
-    this.fieldView.show(drawn, { ...options, sections: difference ? null : shown.sections }, scale, colours.edge);
+    this.fieldView.show(drawn, { ...options, sections: viewing.sensitivity ? null : shown.sections }, scale, colours.edge);
     if (besides) this.baselineView.show(shown.pinned!.field, options, scale, colours.edge);
     this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
     this.baseline.visible = besides;

@@ -2,7 +2,8 @@
 // of two designs at once; and that a hand turns devices in all of them.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { drawn, picture, settled } from './browser.mjs';
+import { join } from 'node:path';
+import { delos, drawn, picture, range, scenes, settled } from './browser.mjs';
 import { box, grab, laboratory, openScene, setValue, test } from './steps.mjs';
 
 const deg = Math.PI / 180;
@@ -254,3 +255,53 @@ await test('a volume without perspective', [], async (page) => {
   await page.waitForTimeout(400);
   await picture(page, 'orthographic-volume');
 });
+
+await test('slopes of the metric', [], async (page) => {
+  await openScene(page, '01-acoustic');
+  await page.click('[data-device=s1]');
+  await page.fill('#sensitivity', 'devices.s1.params.r');
+  await page.keyboard.press('Enter');
+  await settled(page);
+  await page.waitForFunction(() => /slope of eigmax per devices.s1.params.r in/.test(document.querySelector('.bar-title').textContent));
+  const [low, high] = await range(page);
+  assert.equal(low, -high, 'no influence is in the middle of the bar');
+  assert.equal(await page.textContent('#colour-bar .zero'), '0');
+  // More noise is never better: over all samples the slope is at most what all four speakers'
+  // slopes come to by Euler's theorem, 3/8 of eigmax over r.
+  const { max } = delos('field', join(scenes, '01-acoustic.yaml'));
+  assert.ok(high > 0 && high < (0.375 * max.value) / 0.005, `${high}`);
+  await picture(page, 'sensitivity');
+  await page.fill('#sensitivity', 'devices.s1.params.nothing');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.message[data-mood=bad]:not(:empty)');
+  await settled(page);
+  assert.equal(await page.inputValue('#sensitivity'), '', 'of what there isn\'t, none');
+}, 1);
+
+await test('slanted cuts through a difference', [laboratory], async (page) => {
+  await settled(page);
+  await page.keyboard.press('p');
+  await page.waitForSelector('#difference [data-difference=mean]');
+  await page.keyboard.press('z');
+  await page.keyboard.press('Shift+X');
+  await page.waitForSelector('.slant');
+  const pale = await pixelsOf(page);
+  await page.click('[data-device=c104332]');
+  await box(page, 'z').fill('0.4 m');
+  await box(page, 'z').press('Enter');
+  await settled(page);
+  await drawn(page);
+  await picture(page, 'slanted-difference');
+  assert.ok((await pixelsOf(page)) < 0.5 * pale, 'where it differs it is no longer pale');
+});
+
+/** How many pixels are as pale as no difference. */
+async function pixelsOf(page) {
+  await keep(page, 'pale');
+  return page.evaluate(() => {
+    const { pale } = window.kept;
+    let count = 0;
+    for (let i = 0; i < pale.length; i += 4) count += pale[i] > 228 && pale[i + 1] > 228 && pale[i + 2] > 228;
+    return count;
+  });
+}
