@@ -67,12 +67,10 @@ Reply difference(const Work& work) {
 
 Reply sensitivity(const Work& work) {
   return packed_reply(
-      work,
-      session::draw_sensitivity(work.visitor.design.loaded(),
-                                text_or_empty(work.request, "path"),
-                                most_samples(work.request), options_of(work),
-                                work.plugins)
-          .drawn);
+      work, session::draw_sensitivity(
+                work.visitor.design.loaded(), text_or_empty(work.request, "path"),
+                most_samples(work.request), options_of(work), work.plugins)
+                .drawn);
 }
 
 Reply sections(const Work& work) {
@@ -96,10 +94,9 @@ Reply sections(const Work& work) {
     throw BadRequest("'of' must be difference, or absent");
   const LoadedScene& loaded = work.visitor.design.loaded();
   return packed_reply(
-      work, of.empty()
-                ? session::draw_sections(loaded, all, most, options_of(work))
-                : session::draw_difference_sections(loaded, baseline(work), all, most,
-                                                    options_of(work)));
+      work, of.empty() ? session::draw_sections(loaded, all, most, options_of(work))
+                       : session::draw_difference_sections(loaded, baseline(work), all,
+                                                           most, options_of(work)));
 }
 
 Reply point(const Work& work) {

@@ -36,6 +36,7 @@ constexpr Verb kVerbs[] = {
     {"place", place, true},
     {"add", add, true},
     {"copy", copy, true},
+    {"array", array, true},
     {"mirror", mirror, true},
     {"remove", remove, true},
     {"undo", undo, true},

@@ -36,6 +36,7 @@ struct Verb {
 [[nodiscard]] Reply place(const Work& work);
 [[nodiscard]] Reply add(const Work& work);
 [[nodiscard]] Reply copy(const Work& work);
+[[nodiscard]] Reply array(const Work& work);
 [[nodiscard]] Reply mirror(const Work& work);
 [[nodiscard]] Reply remove(const Work& work);
 [[nodiscard]] Reply undo(const Work& work);

@@ -15,6 +15,7 @@ export interface Doings {
   next: (step: number) => void;
   add: () => void;
   copy: () => void;
+  array: () => void;
   mirror: (axis: 'x' | 'y') => void;
   remove: () => void;
   pin: (pinned: boolean) => void;
@@ -74,6 +75,7 @@ export function commandsOf(doings: Doings): Command[] {
     scene('Let go', ['escape'], doings.letGo),
     scene('Add a device', ['a'], doings.add),
     device('Copy the chosen device', ['d'], doings.copy),
+    device('Copy the chosen device along a row or around a circle', ['shift+d'], doings.array),
     device('Mirror the chosen device across x', ['m'], () => doings.mirror('x')),
     device('Mirror the chosen device across y', ['shift+m'], () => doings.mirror('y')),
     device('Remove the chosen device', ['delete'], doings.remove),

@@ -7,6 +7,7 @@ import { Devices } from './panels/devices';
 import type { Command } from './commands';
 import { shownKey } from './commands';
 import { AddDevice, type Add } from './panels/adddevice';
+import { ArrayOfDevices, type DeviceArray } from './panels/array';
 import { CommandPalette } from './panels/commandpalette';
 import { ComparePanel } from './panels/compare';
 import { Inspector, type Change } from './panels/inspector';
@@ -38,6 +39,8 @@ export interface Actions {
   askPalette: () => void;
   add: Add;
   copy: () => void;
+  array: () => void;
+  makeArray: (array: DeviceArray) => void;
   mirror: (axis: 'x' | 'y') => void;
   remove: () => void;
   pin: (pinned: boolean) => void;
@@ -60,6 +63,7 @@ export class Layout {
   readonly report: Report;
   readonly viewingPanel: ViewingPanel;
   readonly addDevice: AddDevice;
+  readonly array: ArrayOfDevices;
   readonly palette: CommandPalette;
   readonly help: HTMLDialogElement;
   private readonly inspector: Inspector;
@@ -89,6 +93,7 @@ export class Layout {
     this.devices = new Devices(actions.select, actions.askPalette);
     this.inspector = new Inspector(actions.change, actions.place, actions);
     this.addDevice = new AddDevice(actions.add);
+    this.array = new ArrayOfDevices(actions.makeArray);
     this.palette = new CommandPalette(commands, actions.set);
     this.compare = new ComparePanel(viewing, actions.viewed, actions.pin);
     this.report = new Report(actions.ask, actions.clear);
@@ -134,7 +139,7 @@ export class Layout {
       this.snap,
       iconButton('fit', 'Look at the whole room (F)', () => actions.look('corner')),
     );
-    root.append(this.header(), this.main(), this.start.element, this.addDevice.element, this.palette.element, this.help);
+    root.append(this.header(), this.main(), this.start.element, this.addDevice.element, this.array.element, this.palette.element, this.help);
   }
 
   private header(): HTMLElement {
