@@ -109,6 +109,7 @@ void add_optimize_command(CLI::App& program, int& exit_code);
 void add_study_command(CLI::App& program, int& exit_code);
 void add_select_command(CLI::App& program, int& exit_code);
 void add_tradeoff_command(CLI::App& program, int& exit_code);
+void add_render_command(CLI::App& program, int& exit_code);
 void add_report_command(CLI::App& program, int& exit_code);
 void add_demo_command(CLI::App& program, int& exit_code);
 void add_sample_time_command(CLI::App& program, int& exit_code);

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add_select_command(program, exit_code);
   add_tradeoff_command(program, exit_code);
   add_report_command(program, exit_code);
+  add_render_command(program, exit_code);
   add_sample_time_command(program, exit_code);
   add_fit_motion_command(program, exit_code);
   add_motions_command(program, exit_code);

@@ -12,6 +12,7 @@
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "evaluation.h"
+#include "report/installers_sheet.h"
 #include "report/pages.h"
 #include "report/tradeoff_section.h"
 #include "report/words.h"
@@ -148,6 +149,7 @@ std::string scene_report(const ReportCommand& command, PluginRegistry& plugins,
   r.larger_is_better = loaded.metric.larger_is_better;
   r.devices = device_rows(loaded, all.field, command.options, interrupt);
   r.blind = blind_regions(loaded.system, loaded.scene.orientations, all.field);
+  r.installation = report::installers_sheet(loaded.scene, loaded.system);
   r.markers = markers_of(loaded.scene, loaded.system);
   r.plugins = plugin_versions(loaded.scene, plugins);
   r.version = DELOS_VERSION;
@@ -278,7 +280,9 @@ std::string study_report(const ReportCommand& command, PluginRegistry& plugins,
   r.views_before = std::move(was.views);
   r.views_after = std::move(is.views);
   add_scores(r, command.options, plugins);
-  r.more = consensus_part(r, study, plugins) + tradeoff_parts(command.tradeoffs);
+  r.more = report::section("To install it",
+                           report::installers_sheet(after.scene, after.system)) +
+           consensus_part(r, study, plugins) + tradeoff_parts(command.tradeoffs);
   add_answers(r, command, plugins, interrupt);
   return report::study_page(r);
 }

@@ -82,4 +82,10 @@ double colour_position(const ColourRange& colours, double value) {
   return scale_of(colours).position(value);
 }
 
+std::array<double, 3> colour_of(const ColourRange& colours, double value) {
+  const ColourScale scale = scale_of(colours);
+  const Rgb colour = scale.colour(scale.position(value));
+  return {colour.r, colour.g, colour.b};
+}
+
 }  // namespace delos

@@ -1,6 +1,7 @@
 // Slices of fields as bare colours, for pages that draw axes and words themselves.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -45,5 +46,10 @@ struct FieldMap {
 
 /// Where a value stands between low and high, 0 to 1.
 [[nodiscard]] double colour_position(const ColourRange& colours, double value);
+
+/// The colour of a value: red, green and blue, sRGB, each in [0, 1].
+/// @pre finite
+[[nodiscard]] DELOS_API std::array<double, 3> colour_of(const ColourRange& colours,
+                                                        double value);
 
 }  // namespace delos

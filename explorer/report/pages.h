@@ -40,6 +40,7 @@ struct SceneReport {
   std::vector<Marker> markers;
   std::vector<DeviceRow> devices;
   std::vector<BlindRegion> blind;
+  Html installation;  ///< as installers_sheet()
   std::vector<PluginVersion> plugins;
   std::string version;  ///< of this program
 };

@@ -128,6 +128,7 @@ std::string scene_page(const SceneReport& r) {
            : pictures) +
           key_figures({&r.field}, {r.field.metric}, r.larger_is_better));
   body += section("Devices", devices(r));
+  body += section("To install it", r.installation);
   body += section("Blind regions, and why", blind(r));
   body += section("To compute it again",
                   element("pre", "delos field " + r.file + "\ndelos report " + r.file +

@@ -5,6 +5,7 @@
 #include "session/ellipsoids.h"
 #include "session/point_answer.h"
 #include "session/sections.h"
+#include "session/sensitivity.h"
 
 namespace delos::server {
 namespace {
@@ -64,6 +65,14 @@ Reply difference(const Work& work) {
                                      most_samples(work.request), options_of(work)));
 }
 
+Reply sensitivity(const Work& work) {
+  return packed_reply(
+      work, session::draw_sensitivity(
+                work.visitor.design.loaded(), text_or_empty(work.request, "path"),
+                most_samples(work.request), options_of(work), work.plugins)
+                .drawn);
+}
+
 Reply sections(const Work& work) {
   const Json& list = member(work.request, "sections");
   if (!list.is_array() || list.empty() || list.size() > kMostSections)
@@ -77,12 +86,17 @@ Reply sections(const Work& work) {
     if (all.back().u.cross(all.back().v).norm() < 1e-12)
       throw BadRequest("'u' and 'v' must span a section");
   }
-  const std::size_t most = most_samples(work.request);
+  const std::size_t asked = most_samples(work.request);
+  const std::size_t most =
+      asked > 0 ? std::min(asked, kMostSectionSamples) : kSectionSamples;
+  const std::string of = text_or_empty(work.request, "of");
+  if (!of.empty() && of != "difference")
+    throw BadRequest("'of' must be difference, or absent");
+  const LoadedScene& loaded = work.visitor.design.loaded();
   return packed_reply(
-      work, session::draw_sections(
-                work.visitor.design.loaded(), all,
-                most > 0 ? std::min(most, kMostSectionSamples) : kSectionSamples,
-                options_of(work)));
+      work, of.empty() ? session::draw_sections(loaded, all, most, options_of(work))
+                       : session::draw_difference_sections(loaded, baseline(work), all,
+                                                           most, options_of(work)));
 }
 
 Reply point(const Work& work) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "server/request.h"
 #include "server/verbs.h"
 #include "session/more_devices.h"
@@ -94,6 +96,22 @@ Reply copy(const Work& work) {
   if (work.request.contains("by")) by = numbers_at(work.request["by"], "by", 3);
   return changed_somehow(
       work, session::copying(loaded_of(work), text_at(work.request, "device"), by));
+}
+
+Reply array(const Work& work) {
+  const Json& count = member(work.request, "copies");
+  if (!count.is_number_integer()) throw BadRequest("'copies' must be a whole number");
+  const auto copies = static_cast<int>(
+      std::clamp<std::int64_t>(count.get<std::int64_t>(), 0, session::kMostCopies + 1));
+  const std::string device = text_at(work.request, "device");
+  const bool circle = work.request.contains("around");
+  const char* key = circle ? "around" : "by";
+  const Eigen::Vector3d at = numbers_at(member(work.request, key), key, 3);
+  auto changes = circle ? session::in_a_circle(loaded_of(work), device, copies, at)
+                        : session::in_a_row(loaded_of(work), device, copies, at);
+  if (const auto* why = std::get_if<std::string>(&changes))
+    return refusal(Status::unprocessable, *why);
+  return changed(work, std::get<std::vector<Override>>(std::move(changes)));
 }
 
 Reply mirror(const Work& work) {

@@ -38,6 +38,7 @@ struct Verb {
 [[nodiscard]] Reply place(const Work& work);
 [[nodiscard]] Reply add(const Work& work);
 [[nodiscard]] Reply copy(const Work& work);
+[[nodiscard]] Reply array(const Work& work);
 [[nodiscard]] Reply mirror(const Work& work);
 [[nodiscard]] Reply remove(const Work& work);
 [[nodiscard]] Reply undo(const Work& work);
@@ -72,6 +73,7 @@ void tell_search(Visitor& visitor);
 // Those that work something out of it. @throws BadRequest
 [[nodiscard]] Reply field(const Work& work);
 [[nodiscard]] Reply difference(const Work& work);
+[[nodiscard]] Reply sensitivity(const Work& work);
 [[nodiscard]] Reply sections(const Work& work);
 [[nodiscard]] Reply point(const Work& work);
 [[nodiscard]] Reply lattice(const Work& work);

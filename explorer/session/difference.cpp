@@ -44,16 +44,8 @@ Json extreme_json(const Extreme& extreme, std::size_t common) {
 
 }  // namespace
 
-DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
-                           std::size_t most, const FieldOptions& options) {
+DrawnField drawn_change(const Field& before, const Field& after, double factor) {
   DrawnField drawn;
-  const Samples samples = drawn_samples(loaded.scene, most, drawn.coarse);
-  std::vector<LoadedScene> sides{baseline.loaded, loaded};
-  evaluate_alike(sides);
-  const Field& before =
-      field_of(sides[0], loaded.metric, samples, options, baseline.field);
-  const Field after = evaluate_field(sides[1].system, samples,
-                                     loaded.scene.orientations, loaded.metric, options);
   Comparison comparison = compare_fields(before, after);
   for (std::size_t i = 0; i < after.value.size(); ++i) {
     const bool inside = (!after.inside.empty() && after.inside[i] != 0) ||
@@ -62,6 +54,7 @@ DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
   }
   drawn.field = std::move(comparison.difference);
   drawn.field.larger_is_better = after.larger_is_better;
+  for (double& value : drawn.field.value) value *= factor;
   const auto count = [&](Drawn what) {
     return static_cast<std::size_t>(
         std::count(drawn.mask.begin(), drawn.mask.end(), what));
@@ -69,19 +62,40 @@ DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
   const std::size_t counted = drawn.mask.size() - count(Drawn::inside);
   const FieldStatistics extremes = summarize(drawn.field);
   drawn.summary = {
-      {"metric", {{"name", loaded.metric.name}, {"unit", loaded.metric.unit}}},
+      {"metric", {{"name", after.metric}, {"unit", after.unit}}},
       {"samples", counted},
       {"finite", comparison.common},
-      {"mean", comparison.common > 0 ? number(comparison.mean) : Json()},
+      {"mean", comparison.common > 0 ? number(factor * comparison.mean) : Json()},
       {"min", extreme_json(extremes.min, comparison.common)},
       {"max", extreme_json(extremes.max, comparison.common)},
       {"better", number(comparison.improved_fraction)},
       {"gained", count(Drawn::gained)},
-      {"lost", count(Drawn::lost)},
-      {"definition", to_string(after.definition)},
-      {"pinned_definition", alike(before.definition, after.definition)
-                                ? Json()
-                                : Json(to_string(before.definition))}};
+      {"lost", count(Drawn::lost)}};
+  return drawn;
+}
+
+DrawnField draw_difference(const LoadedScene& loaded, Baseline& baseline,
+                           std::size_t most, const FieldOptions& options) {
+  bool coarse = false;
+  const Samples samples = drawn_samples(loaded.scene, most, coarse);
+  DrawnField drawn = draw_difference_on(loaded, baseline, samples, options);
+  drawn.coarse = coarse;
+  return drawn;
+}
+
+DrawnField draw_difference_on(const LoadedScene& loaded, Baseline& baseline,
+                              const Samples& samples, const FieldOptions& options) {
+  std::vector<LoadedScene> sides{baseline.loaded, loaded};
+  evaluate_alike(sides);
+  const Field& before =
+      field_of(sides[0], loaded.metric, samples, options, baseline.field);
+  const Field after = evaluate_field(sides[1].system, samples,
+                                     loaded.scene.orientations, loaded.metric, options);
+  DrawnField drawn = drawn_change(before, after);
+  drawn.summary["definition"] = to_string(after.definition);
+  drawn.summary["pinned_definition"] = alike(before.definition, after.definition)
+                                           ? Json()
+                                           : Json(to_string(before.definition));
   return drawn;
 }
 

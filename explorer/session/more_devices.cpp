@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "delos/scene/io.h"
 #include "delos/text/units.h"
@@ -31,6 +32,32 @@ std::string vector_text(const Eigen::Vector3d& v) {
 /// The turn about the z axis, from x towards y, between two frames that share it.
 double roll_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
   return std::atan2(to.col(0).dot(from.col(1)), to.col(0).dot(from.col(0)));
+}
+
+/// Copies of a device that stands in the world, each where it is put.
+/// @param put the pose of the k-th, from that of the first
+template <class Put>
+Together copied(const LoadedScene& loaded, const std::string& device, int copies,
+                Put put) {
+  const DeviceEntry* like = device_of(loaded.scene, device);
+  if (!like) return there_is_no(device);
+  if (copies < 1 || copies > kMostCopies)
+    return "there can be 1 to " + std::to_string(kMostCopies) + " copies at once";
+  if (like->mount == Mount::target)
+    return device + " is carried by the target, where it has no row or circle";
+  const Pose X_WS = device_pose(loaded.scene, *like);
+  const Pose X_GW = group_frame(loaded.scene, like->group).inverse();
+  Scene grown = loaded.scene;  // so that each copy has a name of its own
+  std::vector<Override> changes;
+  for (int k = 1; k <= copies; ++k) {
+    DeviceEntry copy = *device_of(grown, device);
+    copy.name = free_name(grown, device);
+    copy.mounting.reset();
+    copy.placement = placed_like(copy.placement, X_GW * put(X_WS, k));
+    changes.push_back(device_override(copy));
+    grown.devices.push_back(std::move(copy));
+  }
+  return changes;
 }
 
 }  // namespace
@@ -125,6 +152,23 @@ Ways mirroring(const LoadedScene& loaded, const std::string& device, int axis) {
   const Pose X_GS = group_frame(scene, copy.group).inverse() * X_WS;
   copy.placement = placed_like(like->placement, X_GS);
   return std::vector<Override>{device_override(copy)};
+}
+
+Together in_a_row(const LoadedScene& loaded, const std::string& device, int copies,
+                  const Eigen::Vector3d& by) {
+  return copied(loaded, device, copies, [&](const Pose& X_WS, int k) {
+    return Pose{X_WS.R, X_WS.p + k * by};
+  });
+}
+
+Together in_a_circle(const LoadedScene& loaded, const std::string& device, int copies,
+                     const Eigen::Vector3d& centre) {
+  return copied(loaded, device, copies, [&](const Pose& X_WS, int k) {
+    const double angle = 2 * std::numbers::pi * k / (copies + 1);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return Pose{turn * X_WS.R, centre + turn * (X_WS.p - centre)};
+  });
 }
 
 Ways removing(const LoadedScene& loaded, const std::string& device) {

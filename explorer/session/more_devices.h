@@ -40,6 +40,25 @@ using Ways = std::variant<std::vector<Override>, std::string>;
 [[nodiscard]] Ways mirroring(const LoadedScene& loaded, const std::string& device,
                              int axis);
 
+/// Changes that are made together, or a sentence that says why there are none.
+using Together = std::variant<std::vector<Override>, std::string>;
+
+/// The most copies that are made at once.
+inline constexpr int kMostCopies = 200;
+
+/// The same device more times: the k-th copy is k times as far from it, turned as it
+/// is.
+/// @param copies 1 to kMostCopies @param by in the world, metres
+[[nodiscard]] Together in_a_row(const LoadedScene& loaded, const std::string& device,
+                                int copies, const Eigen::Vector3d& by);
+
+/// The same device more times, evenly on a circle about an upright axis and turned with
+/// it, so that all of them look at the axis as the first one does. They stand free.
+/// @param copies 1 to kMostCopies; with the first there is one more
+/// @param centre of the axis a point, world, metres
+[[nodiscard]] Together in_a_circle(const LoadedScene& loaded, const std::string& device,
+                                   int copies, const Eigen::Vector3d& centre);
+
 /// One device fewer.
 [[nodiscard]] Ways removing(const LoadedScene& loaded, const std::string& device);
 

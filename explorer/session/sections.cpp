@@ -17,20 +17,32 @@ Eigen::Vector2i counts_of(const Section& section, std::size_t most) {
   return {along(u), along(v)};
 }
 
+Samples samples_of(const std::vector<Section>& sections, std::size_t most) {
+  std::vector<SampleSet> sets;
+  for (const Section& s : sections)
+    sets.push_back({"", PlaneSampling{s.origin, s.u, s.v, counts_of(s, most)}});
+  return make_samples(sets);
+}
+
 }  // namespace
 
 DrawnField draw_sections(const LoadedScene& loaded,
                          const std::vector<Section>& sections, std::size_t most,
                          const FieldOptions& options) {
-  std::vector<SampleSet> sets;
-  for (const Section& s : sections)
-    sets.push_back({"", PlaneSampling{s.origin, s.u, s.v, counts_of(s, most)}});
   DrawnField drawn;
-  drawn.field = evaluate_field(loaded.system, make_samples(sets),
+  drawn.field = evaluate_field(loaded.system, samples_of(sections, most),
                                loaded.scene.orientations, loaded.metric, options);
   drawn.summary = field_answer(loaded, drawn.field);
   drawn.mask = drawn_as(drawn.field);
   return drawn;
+}
+
+DrawnField draw_difference_sections(const LoadedScene& loaded, const Baseline& baseline,
+                                    const std::vector<Section>& sections,
+                                    std::size_t most, const FieldOptions& options) {
+  // What is kept of the baseline is over the design's own samples.
+  Baseline once{baseline.loaded, std::nullopt};
+  return draw_difference_on(loaded, once, samples_of(sections, most), options);
 }
 
 }  // namespace delos::session

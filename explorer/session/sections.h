@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "session/difference.h"
 #include "session/drawn_field.h"
 
 namespace delos::session {
@@ -19,5 +20,12 @@ struct Section {
 [[nodiscard]] DrawnField draw_sections(const LoadedScene& loaded,
                                        const std::vector<Section>& sections,
                                        std::size_t most, const FieldOptions& options);
+
+/// The same of a design minus what is kept to compare with, as draw_difference().
+[[nodiscard]] DrawnField draw_difference_sections(const LoadedScene& loaded,
+                                                  const Baseline& baseline,
+                                                  const std::vector<Section>& sections,
+                                                  std::size_t most,
+                                                  const FieldOptions& options);
 
 }  // namespace delos::session

@@ -178,5 +178,63 @@ TEST(MoreDevices, LeaveNothingBehind) {
   EXPECT_EQ(last(design).name, "s1_2");
 }
 
+/// Take all changes, which must do, as one step.
+void take(Design& design, const Together& together) {
+  const auto* all = std::get_if<std::vector<Override>>(&together);
+  ASSERT_TRUE(all) << std::get<std::string>(together);
+  const std::size_t steps = design.history().undoable();
+  change(design, *all);
+  EXPECT_EQ(design.history().undoable(), steps + 1) << "one step";
+}
+
+TEST(MoreDevices, StandInARow) {
+  Design design = design_of("05-optitrack-lab");
+  const Pose first = design.loaded().system.devices[0].X_WS();
+  const Eigen::Vector3d by(0.3, -0.4, 0.1);
+  take(design, in_a_row(design.loaded(), "c104321", 4, by));
+  const auto& devices = design.loaded().system.devices;
+  ASSERT_EQ(devices.size(), 12u);
+  for (int k = 1; k <= 4; ++k) {
+    const PlacedDevice& copy = devices[static_cast<std::size_t>(7 + k)];
+    EXPECT_EQ(copy.name, "c104321_" + std::to_string(k + 1));
+    EXPECT_LT((copy.X_WS().p - first.p - k * by).norm(), 1e-12);
+    EXPECT_LT((copy.X_WS().R - first.R).norm(), 1e-9);
+  }
+  EXPECT_TRUE(design.undo(plugins()));
+  EXPECT_EQ(design.loaded().system.devices.size(), 8u);
+}
+
+/// Five copies make a regular hexagon about the axis, of cameras that all look at it
+/// from the same height, with the same angle to it.
+TEST(MoreDevices, StandInACircle) {
+  Design design = design_of("05-optitrack-lab");
+  const Eigen::Vector3d centre(-0.5, 0.2, 1);
+  const Pose first = design.loaded().system.devices[1].X_WS();
+  take(design, in_a_circle(design.loaded(), "c104325", 5, centre));
+  const auto& devices = design.loaded().system.devices;
+  ASSERT_EQ(devices.size(), 13u);
+  std::vector<Pose> poses{first};
+  for (std::size_t i = 8; i < 13; ++i) poses.push_back(devices[i].X_WS());
+  const double radius = (first.p - centre).head<2>().norm();
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Pose &a = poses[i], &b = poses[(i + 1) % 6];
+    EXPECT_NEAR(a.p.z(), first.p.z(), 1e-12);
+    EXPECT_NEAR((a.p - b.p).norm(), radius, 1e-9) << "a hexagon's side is its radius";
+    const Eigen::Vector3d inward = centre - a.p, inward_first = centre - first.p;
+    EXPECT_NEAR(a.R.col(2).dot(inward), first.R.col(2).dot(inward_first), 1e-9);
+    EXPECT_NEAR(a.R.col(0).dot(inward), first.R.col(0).dot(inward_first), 1e-9);
+  }
+}
+
+TEST(MoreDevices, OfArraysAreRefusedWithASentence) {
+  const Design design = design_of("05-optitrack-lab");
+  const Eigen::Vector3d by(1, 0, 0);
+  for (const int copies : {-1, 0, kMostCopies + 1})
+    EXPECT_TRUE(std::holds_alternative<std::string>(
+        in_a_row(design.loaded(), "c104321", copies, by)));
+  EXPECT_TRUE(std::holds_alternative<std::string>(
+      in_a_circle(design.loaded(), "nobody", 3, by)));
+}
+
 }  // namespace
 }  // namespace delos::session

@@ -182,7 +182,7 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards({"explorer",
                     {"output", "recordings", "motion", "measured", "readings",
-                     "imports", "session", "server", "report", "cli"}},
+                     "imports", "session", "render", "server", "report", "cli"}},
                    "");
 }
 
@@ -205,7 +205,9 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
         "explorer/motion/", "explorer/readings/", "explorer/session/",
         "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
-      {"Cairo", std::regex("(cairo/)?cairo.*"), {"explorer/output/"}},
+      {"Cairo",
+       std::regex("(cairo/)?cairo.*"),
+       {"explorer/output/", "explorer/render/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"explorer/"}},
       {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/text/"}},
       {"OpenMP", std::regex("omp\\.h"), {"kernel/include/delos/parallel/"}},

@@ -1,7 +1,7 @@
 // What is worked out of a design for its picture: coarse while a hand moves, then all of it.
 import { unpack, type Field } from './field';
 import type { Shown } from './picture';
-import type { BlindRegions, Lattice, PointReport, Session, Vec3, Worth } from './server';
+import { Refusal, type BlindRegions, type Lattice, type PointReport, type Session, type Vec3, type Worth } from './server';
 import { sectionOf, type Viewing } from './viewing';
 
 /** Samples that are worked out while a hand moves; the rest follows. */
@@ -54,10 +54,11 @@ export class Answers {
       (viewing.lattice && !shown.lattice) ||
       (viewing.blind && !shown.blind) ||
       (this.pinned && ((viewing.compare === 'difference' && !shown.difference) || (viewing.compare === 'beside' && !shown.pinned))) ||
-      JSON.stringify(this.sectionsAsked()) !== this.sectionsKnown
+      viewing.sensitivity !== (shown.slopes?.summary.sensitivity?.path ?? '') ||
+      JSON.stringify([this.sectionsAsked(), this.pinned && viewing.compare === 'difference' ? { of: 'difference' } : {}]) !== this.sectionsKnown
     );
   }
-  private sectionsKnown = '[]';
+  private sectionsKnown = '[[],{}]';
 
   private get pinned(): boolean {
     return this.shown.description!.pinned !== null;
@@ -76,10 +77,26 @@ export class Answers {
     const { shown, viewing } = this;
     const field = await this.field(session, 'field', { most }, signal);
     const sections = this.sectionsAsked();
-    const cuts = sections.length > 0 ? await this.field(session, 'sections', { sections, most: ofSection }, signal) : null;
-    if (this.pinned && viewing.compare === 'difference') shown.difference = await this.field(session, 'difference', { most }, signal);
+    const differing = this.pinned && viewing.compare === 'difference';
+    const of = differing ? { of: 'difference' } : {};
+    const cuts = sections.length > 0 ? await this.field(session, 'sections', { sections, most: ofSection, ...of }, signal) : null;
+    await this.slopes(session, most, signal);
+    if (differing) shown.difference = await this.field(session, 'difference', { most }, signal);
     if (this.pinned && viewing.compare === 'beside') await this.baseline(session, signal);
-    [shown.field, shown.sections, this.sectionsKnown] = [field, cuts, JSON.stringify(sections)];
+    [shown.field, shown.sections, this.sectionsKnown] = [field, cuts, JSON.stringify([sections, of])];
+  }
+
+  /** Of a number that there isn't, none. */
+  private async slopes(session: Session, most: number, signal: AbortSignal): Promise<void> {
+    const { shown, viewing } = this;
+    const path = viewing.sensitivity;
+    if (!path) return void (shown.slopes = null);
+    try {
+      shown.slopes = await this.field(session, 'sensitivity', { path, most }, signal);
+    } catch (error) {
+      if (error instanceof Refusal && error.status === 422) [viewing.sensitivity, shown.slopes] = ['', null];
+      throw error;
+    }
   }
 
   /** What is pinned stays: it is asked once. */

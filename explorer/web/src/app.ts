@@ -1,30 +1,23 @@
 // The explorer: what is open, what is chosen, and how a change reaches the picture.
 import { Answers } from './answers';
 import { listenForKeys } from './commands';
-import type { Field } from './field';
+import { wordsOf } from './field';
 import { newGesture } from './gesture';
 import { TypedMove } from './hand';
 import { commandsOf } from './keys';
 import { Layout } from './layout';
 import { nothingShown, Picture } from './picture';
-import { counted, quantity } from './quantity';
+import { listenForClicks } from './mouse';
+import { download } from './saving';
 import { listScenes, Session, type Around, type Description, type Palette, type Vec3 } from './server';
 import { applyTheme, currentTheme, type Theme } from './theme';
 import { searchActions, Searching } from './searching';
+import { ViewCube } from './view/viewcube';
+import type { ViewName } from './view/eye';
 import { firstViewing, middle } from './viewing';
 import { Work } from './work';
 
 const sessionKey = 'delos-session';
-
-/** The picture in one sentence. */
-function words({ summary }: Field): string {
-  const { metric, min, max, samples, finite } = summary;
-  const from =
-    min && max
-      ? `${metric.name} from ${quantity(min.value, metric.unit)} to ${quantity(max.value, metric.unit)}`
-      : `${metric.name} is finite nowhere`;
-  return `The room: ${from}; ${samples - finite} of ${counted(samples, 'sample')} blind`;
-}
 
 export class App {
   private readonly layout: Layout;
@@ -46,13 +39,15 @@ export class App {
     const doings = {
       viewing: this.viewing,
       viewed: () => this.viewed(),
-      look: (from: Parameters<Picture['stage']['look']>[0]) => this.look(from),
+      look: (from: ViewName) => this.look(from),
       lookThrough: () => this.lookThrough(),
+      orthographic: () => this.picture.stage.setOrthographic(!this.picture.stage.eye.orthographic),
       move: (mode: 'translate' | 'rotate') => this.move(mode),
       letGo: () => this.letGo(),
       next: (step: number) => this.chooseNext(step),
       add: () => void this.askPalette(),
       copy: () => this.make('copy', { device: this.shown.selected, by: this.besideIt() }),
+      array: () => this.layout.array.show(this.shown.description!, this.shown.selected!),
       mirror: (axis: 'x' | 'y') => this.make('mirror', { device: this.shown.selected, axis }),
       remove: () => this.work.change(newGesture(), 'remove', { device: this.shown.selected }),
       pin: (pinned: boolean) => this.pin(pinned),
@@ -91,6 +86,7 @@ export class App {
         clear: () => this.ask(null),
         gizmo: (mode) => this.move(mode),
         askPalette: doings.add,
+        makeArray: (array) => this.make('array', { device: this.shown.selected, ...array }),
         add: (type, preset) => this.make('add', { type, preset, ...(this.shown.asked ? { at: this.shown.asked } : {}) }),
         set: (setting) => this.work.change(setting.path, 'change', { set: [setting], gesture: '' }),
         searching: searchActions(() => this.searching),
@@ -129,7 +125,12 @@ export class App {
       change: (place, verb, body) => this.work.change(place, verb, body),
       failed: (error) => this.failed(error),
     });
-    this.listenToMouse();
+    listenForClicks(this.picture, {
+      pressed: () => this.typed.end(),
+      device: (name) => this.select(name),
+      place: (at) => this.ask(at),
+    });
+    this.layout.overPicture(new ViewCube(this.picture.stage, doings.look, doings.orthographic).element);
     listenForKeys(commands, (event) => this.picture.gizmo.take(event, () => this.step('undo')) || this.typed.take(event));
   }
 
@@ -173,7 +174,7 @@ export class App {
     sessionStorage.setItem(sessionKey, session.name);
     Object.assign(this.shown, nothingShown(), { description });
     this.ask(null);
-    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', low: null, high: null });
+    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
     this.shown.around = await session.ask<Around>('around');
     this.drawRoom();
     this.picture.stage.look('corner', description.room);
@@ -210,6 +211,7 @@ export class App {
     this.layout.describe(shown.description, shown.selected);
     this.searching.describe(shown.description, shown.selected);
     picture.drawDevices(shown, this.colours);
+    if (picture.stage.eye.asDevice) this.lookThrough();
     this.layout.gizmoMode(picture.gizmo.mode, picture.hasIcon(shown.selected));
     if (draw) picture.stage.draw();
   }
@@ -219,7 +221,7 @@ export class App {
     if (!shown.field || !shown.description) return;
     const { drawn, scale, marks } = picture.drawField(shown, this.colours);
     this.layout.field(shown, drawn, scale, marks, this.viewing, picture.latticeEnlarged);
-    picture.stage.describe(words(drawn));
+    picture.stage.describe(wordsOf(drawn));
     picture.stage.draw();
   }
 
@@ -250,7 +252,7 @@ export class App {
   }
 
   private letGo(): void {
-    if (this.picture.stage.asDevice) this.look('corner');
+    if (this.picture.stage.eye.asDevice) this.look('corner');
     else if (this.shown.selected) this.select(null);
     else this.ask(null);
   }
@@ -275,7 +277,7 @@ export class App {
     this.picture.stage.draw();
   }
 
-  private look(from: Parameters<Picture['stage']['look']>[0]): void {
+  private look(from: ViewName): void {
     this.picture.stage.look(from);
     this.described();
   }
@@ -283,6 +285,7 @@ export class App {
   private lookThrough(): void {
     const device = this.shown.description!.devices.find((d) => d.name === this.shown.selected);
     if (device?.pose) this.picture.lookThrough(device);
+    else this.picture.stage.look('corner');
   }
 
   /** Each press is a step: none takes another's place. */
@@ -336,13 +339,8 @@ export class App {
 
   private async save(): Promise<void> {
     await this.attempt(async () => {
-      const text = await this.session!.text();
-      const link = document.createElement('a');
-      link.href = URL.createObjectURL(new Blob([text], { type: 'application/yaml' }));
-      link.download = `${this.shown.description!.name.replace(/[^\w-]+/g, '-').toLowerCase()}.yaml`;
-      link.click();
-      URL.revokeObjectURL(link.href);
-      this.layout.say(`Saved as ${link.download}`, 'good');
+      const name = download(await this.session!.text(), this.shown.description!.name);
+      this.layout.say(`Saved as ${name}`, 'good');
     });
   }
 
@@ -352,22 +350,5 @@ export class App {
     this.awaited = null;
     this.layout.say(lost ? 'The server has ended: start delos explore again.' : (error as Error).message, 'bad');
     this.described();
-  }
-
-  private listenToMouse(): void {
-    let pressed: { x: number; y: number } | null = null;
-    const { stage, gizmo } = this.picture;
-    stage.canvas.addEventListener('pointerdown', (event) => {
-      this.typed.end();
-      pressed = gizmo.hovered || event.button !== 0 ? null : { x: event.clientX, y: event.clientY };
-    });
-    stage.canvas.addEventListener('pointerup', (event) => {
-      const still = pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < 4;
-      pressed = null;
-      if (!still || !this.shown.description) return;
-      const met = this.picture.pick(stage.ray(event));
-      if (met && 'device' in met) this.select(met.device);
-      else if (met) this.ask(met.at);
-    });
   }
 }

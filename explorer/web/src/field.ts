@@ -1,4 +1,5 @@
 // A field as the server packs it: "DLF1", a JSON text, and arrays where it says.
+import { counted, quantity } from './quantity';
 import type { Vec3 } from './server';
 
 /** What stands at a sample; as `Drawn` of the server. */
@@ -63,6 +64,8 @@ export interface Summary {
   gained?: number;
   lost?: number;
   definition?: string;
+  /** Of slopes: of which number. */
+  sensitivity?: { path: string; value: number; unit: string };
   /** Of what was pinned, where that is another one. */
   pinned_definition?: string | null;
 }
@@ -126,4 +129,14 @@ export function placeOf(part: Part, i: number): Vec3 {
     default:
       return [0, 1, 2].map((k) => part.positions[3 * i + k]!) as Vec3;
   }
+}
+
+/** The picture in one sentence. */
+export function wordsOf({ summary }: Field): string {
+  const { metric, min, max, samples, finite } = summary;
+  const from =
+    min && max
+      ? `${metric.name} from ${quantity(min.value, metric.unit)} to ${quantity(max.value, metric.unit)}`
+      : `${metric.name} is finite nowhere`;
+  return `The room: ${from}; ${samples - finite} of ${counted(samples, 'sample')} blind`;
 }

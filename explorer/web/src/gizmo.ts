@@ -1,24 +1,26 @@
 // A device in the hand: dragged and turned in the picture.
 import { Object3D, Vector3 } from 'three';
-import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { newGesture } from './gesture';
+import { Handles } from './view/handles';
 import type { Stage } from './view/stage';
 
 /** @param p world, metres; @param q unit quaternion (w, x, y, z), device to world */
 export type Place = (change: { p?: number[]; q?: number[] }, gesture: string) => void;
 
 export class Gizmo {
-  private readonly controls: TransformControls;
+  private readonly controls: Handles;
   private gesture = '';
 
+  /** @param home what the handles are drawn with */
   constructor(
     private readonly stage: Stage,
+    home: Object3D,
     place: Place,
     ended: () => void,
   ) {
-    this.controls = new TransformControls(stage.camera, stage.canvas);
+    this.controls = new Handles(stage.camera, stage.canvas);
     this.controls.setSize(0.8);
-    stage.scene.add(this.controls.getHelper());
+    home.add(this.controls.getHelper());
     this.controls.addEventListener('change', () => stage.draw());
     this.controls.addEventListener('axis-changed', () => {
       stage.canvas.style.cursor = this.hovered ? 'grab' : '';
@@ -71,6 +73,8 @@ export class Gizmo {
   }
 
   hold(object: Object3D | null): void {
+    this.controls.camera = this.stage.camera;
+    this.controls.viewport = this.stage.designPart;
     if (object) this.controls.attach(object);
     else this.controls.detach();
   }

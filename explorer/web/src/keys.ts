@@ -1,6 +1,6 @@
 // What can be done, by name and by key.
 import type { Command } from './commands';
-import type { ViewName } from './view/stage';
+import type { ViewName } from './view/eye';
 import type { Viewing } from './viewing';
 
 /** What commands do. */
@@ -9,11 +9,13 @@ export interface Doings {
   viewed: () => void;
   look: (from: ViewName) => void;
   lookThrough: () => void;
+  orthographic: () => void;
   move: (mode: 'translate' | 'rotate') => void;
   letGo: () => void;
   next: (step: number) => void;
   add: () => void;
   copy: () => void;
+  array: () => void;
   mirror: (axis: 'x' | 'y') => void;
   remove: () => void;
   pin: (pinned: boolean) => void;
@@ -78,6 +80,7 @@ export function commandsOf(doings: Doings): Command[] {
     scene('Let go', ['escape'], doings.letGo),
     scene('Add a device', ['a'], doings.add),
     device('Copy the chosen device', ['d'], doings.copy),
+    device('Copy the chosen device along a row or around a circle', ['shift+d'], doings.array),
     device('Mirror the chosen device across x', ['m'], () => doings.mirror('x')),
     device('Mirror the chosen device across y', ['shift+m'], () => doings.mirror('y')),
     device('Remove the chosen device', ['delete'], doings.remove),
@@ -86,6 +89,7 @@ export function commandsOf(doings: Doings): Command[] {
     device('Look through the chosen device', ['0'], doings.lookThrough),
     scene('Snap to 5 cm and 5 degrees', ['n'], doings.snap),
     ...views.map(([from, key, name]) => scene(name, [key], () => doings.look(from))),
+    scene('Without perspective, or with', ['5'], doings.orthographic),
     ...['x', 'y', 'z'].map((axis, k) => scene(`Slice across ${axis}`, [axis], () => doings.slice(k))),
     scene('Add a slanted slice', ['shift+x'], doings.slant),
     toggle('Surface', 'i', 'surface'),

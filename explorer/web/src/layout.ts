@@ -7,6 +7,7 @@ import { Devices } from './panels/devices';
 import type { Command } from './commands';
 import { shownKey } from './commands';
 import { AddDevice, type Add } from './panels/adddevice';
+import { ArrayOfDevices, type DeviceArray } from './panels/array';
 import { CommandPalette } from './panels/commandpalette';
 import { ComparePanel } from './panels/compare';
 import { Inspector, type Change } from './panels/inspector';
@@ -19,7 +20,7 @@ import type { Scale } from './scale';
 import type { Description, Setting, Vec3 } from './server';
 import type { Shown } from './picture';
 import type { Viewing } from './viewing';
-import type { ViewName } from './view/stage';
+import type { ViewName } from './view/eye';
 
 export interface Actions {
   open: (scene: string) => void;
@@ -39,6 +40,8 @@ export interface Actions {
   askPalette: () => void;
   add: Add;
   copy: () => void;
+  array: () => void;
+  makeArray: (array: DeviceArray) => void;
   mirror: (axis: 'x' | 'y') => void;
   remove: () => void;
   pin: (pinned: boolean) => void;
@@ -63,6 +66,7 @@ export class Layout {
   readonly report: Report;
   readonly viewingPanel: ViewingPanel;
   readonly addDevice: AddDevice;
+  readonly array: ArrayOfDevices;
   readonly palette: CommandPalette;
   readonly search: SearchPanel;
   readonly help: HTMLDialogElement;
@@ -93,6 +97,7 @@ export class Layout {
     this.devices = new Devices(actions.select, actions.askPalette);
     this.inspector = new Inspector(actions.change, actions.place, actions);
     this.addDevice = new AddDevice(actions.add);
+    this.array = new ArrayOfDevices(actions.makeArray);
     this.palette = new CommandPalette(commands, actions.set);
     this.compare = new ComparePanel(viewing, actions.viewed, actions.pin);
     this.search = new SearchPanel(actions.searching);
@@ -138,11 +143,8 @@ export class Layout {
       this.modes.rotate,
       this.snap,
       iconButton('fit', 'Look at the whole room (F)', () => actions.look('corner')),
-      ...(['top', 'front', 'side'] as const).map((from) =>
-        h('button', { type: 'button', className: 'word', title: `Look from the ${from}`, onclick: () => actions.look(from) }, from),
-      ),
     );
-    root.append(this.header(), this.main(), this.start.element, this.addDevice.element, this.palette.element, this.help);
+    root.append(this.header(), this.main(), this.start.element, this.addDevice.element, this.array.element, this.palette.element, this.help);
   }
 
   private header(): HTMLElement {
@@ -207,6 +209,7 @@ export class Layout {
     this.metric.title = description.definition;
     this.fusion.value = description.fusion;
     this.devices.show(description, selected);
+    this.viewingPanel.sensitivity.show(description, selected);
     this.inspector.show(description, selected);
   }
 
@@ -233,6 +236,11 @@ export class Layout {
       one('worst', worst?.value),
       h('span', {}, counted(summary.samples, 'sample'), field.level === 'coarse' ? ', refining…' : ''),
     );
+  }
+
+  /** Something that lies on the picture. */
+  overPicture(element: HTMLElement): void {
+    this.viewport.after(element);
   }
 
   floor(step: number): void {

@@ -19,6 +19,8 @@ export interface Shown {
   description: Description | null;
   around: Around;
   field: Field | null;
+  /** Slopes of the metric. */
+  slopes: Field | null;
   /** Of the design minus what is pinned. */
   difference: Field | null;
   pinned: { description: Description; field: Field } | null;
@@ -34,6 +36,7 @@ export const nothingShown = (): Shown => ({
   description: null,
   around: { occluders: [], beacons: [] },
   field: null,
+  slopes: null,
   difference: null,
   pinned: null,
   sections: null,
@@ -82,7 +85,7 @@ export class Picture {
     this.baseline.visible = false;
     this.stage.scene.add(this.room.group, this.design, this.baseline);
     this.stage.through(this.fieldView.volume, this.baselineView.volume);
-    this.gizmo = new Gizmo(this.stage, place, dropped);
+    this.gizmo = new Gizmo(this.stage, this.design, place, dropped);
   }
 
   /** Metres between the lines of the floor. */
@@ -105,8 +108,7 @@ export class Picture {
     this.icons.show(description, { selected, frusta, labels }, colours);
     if (pinned) this.baselineIcons.show(pinned.description, { selected: null, frusta, labels: false }, colours);
     const device = description.devices.find((d) => d.name === selected);
-    // Its handles know one picture only.
-    this.gizmo.hold(device?.surface || this.besides(shown) ? null : this.icons.find(selected));
+    this.gizmo.hold(device?.surface || this.stage.eye.asDevice ? null : this.icons.find(selected));
   }
 
   drawProbe({ asked, report, description }: Shown, colours: Drawing): void {
@@ -128,13 +130,13 @@ export class Picture {
   /** Draw the field. @returns what the colours are of, their scale, and which values are marked */
   drawField(shown: Shown, colours: Drawing): { drawn: Field; scale: Scale | null; marks: number[] } {
     const { viewing } = this;
-    const difference = viewing.compare === 'difference' ? shown.difference : null;
+    const difference = viewing.sensitivity ? shown.slopes : viewing.compare === 'difference' ? shown.difference : null;
     const drawn = difference ?? shown.field!;
     const besides = this.besides(shown);
     const range = rangeOf(drawn, ...(besides ? [shown.pinned!.field] : []));
     const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
     const options = this.optionsOf(drawn, scale, shown.description!.box);
-    this.fieldView.show(drawn, { ...options, sections: difference ? null : shown.sections }, scale, colours.edge);
+    this.fieldView.show(drawn, { ...options, sections: viewing.sensitivity ? null : shown.sections }, scale, colours.edge);
     if (besides) this.baselineView.show(shown.pinned!.field, options, scale, colours.edge);
     this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
     this.baseline.visible = besides;
@@ -173,13 +175,13 @@ export class Picture {
   }
 
   hasIcon(name: string | null): boolean {
-    return this.icons.find(name) !== null && !this.stage.halved;
+    return this.icons.find(name) !== null;
   }
 
   lookThrough(device: Device): void {
-    const icon = this.icons.find(device.name);
     this.gizmo.hold(null);
-    if (icon) icon.visible = false; // from inside its housing nothing is seen
+    // From inside its housing nothing is seen.
+    for (const icons of [this.icons, this.baselineIcons]) icons.hide(device.name);
     this.stage.lookThrough(device);
   }
 }

@@ -28,6 +28,8 @@ export interface Viewing extends Colouring {
   units: Units;
   compare: 'design' | 'difference' | 'beside';
   lattice: boolean;
+  /** The number that slopes of the metric are shown of, by its path; empty: none. */
+  sensitivity: string;
   blind: boolean;
   /** How many standard deviations ellipsoids show. */
   sigmas: number;
@@ -48,6 +50,7 @@ export const firstViewing = (): Viewing => ({
   units: 'auto',
   compare: 'design',
   lattice: false,
+  sensitivity: '',
   blind: false,
   sigmas: 1,
   logarithmic: false,

@@ -35,8 +35,8 @@ export class ColourBar {
         ? key('hatch', without > 0 ? `blind: ${without} of ${summary.samples}` : 'blind: none')
         : [
             ...key('hatch', `blind in both: ${without - gained - lost}`),
-            ...key('hatch gained', `seen only now: ${gained}`),
-            ...key('hatch lost', `seen only before: ${lost}`),
+            ...key('hatch gained', `seen only ${summary.sensitivity ? 'with more' : 'now'}: ${gained}`),
+            ...key('hatch lost', `seen only ${summary.sensitivity ? 'with less' : 'before'}: ${lost}`),
           ]),
     );
     if (!scale) {
@@ -48,7 +48,7 @@ export class ColourBar {
     const unit = displayUnit(scale.max, summary.metric.unit);
     const { name, of: label } = labelling(scale.difference && units === 'log10' ? 'si' : units, scale.max, summary.metric.unit);
     this.title.replaceChildren(
-      scale.difference ? 'change of ' : '',
+      summary.sensitivity ? 'slope of ' : scale.difference ? 'change of ' : '',
       h('b', {}, summary.metric.name),
       name ? ` in ${raised(name)}` : '',
     );

@@ -185,6 +185,7 @@ function forAll(set: Setting, device: Device, devices: Device[]): Setting[] {
 /** What is done with a device as a whole. */
 export interface WholeDevice {
   copy: () => void;
+  array: () => void;
   mirror: (axis: 'x' | 'y') => void;
   remove: () => void;
 }
@@ -256,12 +257,13 @@ export class Inspector {
   }
 
   private actionsOn(): HTMLElement {
-    const { copy, mirror, remove } = this.whole;
+    const { copy, array, mirror, remove } = this.whole;
     const button = (text: string, title: string, onclick: () => void) => h('button', { type: 'button', title, onclick }, text);
     return h(
       'div',
       { className: 'actions', role: 'group', 'aria-label': 'This device' },
       button('Copy', 'Once more, beside it (D)', copy),
+      button('Array…', 'More times, along a row or around a circle (Shift D)', array),
       button('Mirror x', 'Once more, mirrored across x through the middle of the samples (M)', () => mirror('x')),
       button('Mirror y', 'Once more, mirrored across y through the middle of the samples (Shift M)', () => mirror('y')),
       button('Remove', 'Take it away (Delete)', remove),

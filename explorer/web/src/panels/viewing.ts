@@ -7,12 +7,14 @@ import type { Viewing } from '../viewing';
 import { BodiesPanel } from './bodies';
 import { ColouringPanel } from './colouring';
 import { check, details } from './details';
+import { SensitivityPanel } from './sensitivity';
 import { SlicesPanel } from './slices';
 import { UncertaintyPanel } from './uncertainty';
 
 export class ViewingPanel {
   readonly element: HTMLElement;
   readonly slices: SlicesPanel;
+  readonly sensitivity: SensitivityPanel;
   private readonly bodies: BodiesPanel;
   private readonly colouring: ColouringPanel;
   private readonly uncertainty: UncertaintyPanel;
@@ -24,6 +26,7 @@ export class ViewingPanel {
     private readonly changed: () => void,
   ) {
     this.slices = new SlicesPanel(viewing, changed);
+    this.sensitivity = new SensitivityPanel(viewing, changed);
     this.bodies = new BodiesPanel(viewing, changed);
     this.colouring = new ColouringPanel(viewing, changed);
     this.uncertainty = new UncertaintyPanel(viewing, changed);
@@ -36,6 +39,7 @@ export class ViewingPanel {
       h('h2', {}, 'View'),
       this.slices.element,
       this.bodies.element,
+      this.sensitivity.element,
       h('div', { className: 'checks' }, frustaLabel, namesLabel),
       details('Colours', true, this.colouring.element),
       details('Uncertainty', false, this.uncertainty.element),

@@ -5,7 +5,6 @@ import {
   ConeGeometry,
   DoubleSide,
   Group,
-
   LineBasicMaterial,
   LineLoop,
   LineSegments,
@@ -160,6 +159,11 @@ export class Icons {
 
   find(name: string | null): Object3D | null {
     return name === null ? null : (this.byName.get(name) ?? null);
+  }
+
+  hide(name: string): void {
+    const icon = this.find(name);
+    if (icon) icon.visible = false;
   }
 
   /** The device that a hit object belongs to. */

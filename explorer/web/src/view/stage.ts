@@ -4,52 +4,35 @@ import {
   Color,
   DepthTexture,
   DirectionalLight,
-  Matrix4,
   Object3D,
-  PerspectiveCamera,
   Raycaster,
   Scene,
   UnsignedIntType,
   Vector2,
-  Vector3,
+  Vector4,
   WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { CSS2DRenderer } from 'three/addons/renderers/CSS2DRenderer.js';
 import type { Box, Device } from '../server';
+import { Eye, type ViewName } from './eye';
 import type { Volume } from './volume';
-
-/** Where the camera looks from, as a direction towards it. */
-const directions = {
-  corner: new Vector3(-0.75, -1, 0.62),
-  top: new Vector3(0, -1e-4, 1),
-  front: new Vector3(0, -1, 0),
-  side: new Vector3(1, 0, 0),
-  below: new Vector3(0, -1e-4, -1),
-  back: new Vector3(0, 1, 0),
-  left: new Vector3(-1, 0, 0),
-};
-export type ViewName = keyof typeof directions;
-
-/** What the colour bar covers at the right, pixels. */
-const barWidth = 110;
 
 export class Stage {
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(40, 1, 0.01, 100);
+  readonly eye = new Eye();
   readonly orbit: OrbitControls;
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly labels = new CSS2DRenderer();
   /** What is opaque, for rays that go through volumes. */
   private readonly opaque = new WebGLRenderTarget(1, 1, { depthTexture: new DepthTexture(1, 1, UnsignedIntType) });
-  private readonly fov = 40;
   private beside: { left: Object3D; right: Object3D } | null = null;
   private volumes: Volume[] = [];
   private pending = false;
-  private center = new Vector3();
-  private radius = 1;
+  /** Called when it has drawn. */
+  readonly drew: (() => void)[] = [];
 
   constructor(private readonly host: HTMLElement) {
     // Kept after drawing, so that the picture can be saved from the browser.
@@ -62,8 +45,8 @@ export class Stage {
     this.labels.domElement.className = 'labels';
     host.append(this.canvas, this.labels.domElement);
 
-    this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, this.canvas);
+    this.orbit.target = this.eye.target;
     this.orbit.zoomToCursor = true;
     this.orbit.addEventListener('change', () => this.draw());
     const sun = new DirectionalLight(0xffffff, 2);
@@ -95,19 +78,20 @@ export class Stage {
     const others = (halves === null) !== (this.beside === null);
     this.beside = halves;
     if (!others) return;
-    this.comeNearer(halves ? 0.5 : 2);
+    this.eye.comeNearer(halves ? 0.5 : 2);
     this.resize();
   }
 
-  /** So that a picture of another width shows as much. @param wider times as wide */
-  private comeNearer(wider: number): void {
-    const { camera, orbit } = this;
-    const part = (aspect: number) => Math.min(1, aspect);
-    const factor = part(camera.aspect) / part(camera.aspect * wider);
-    if (orbit.enabled) camera.position.sub(orbit.target).multiplyScalar(factor).add(orbit.target);
+  get camera() {
+    return this.eye.camera;
   }
   get halved(): boolean {
     return this.beside !== null;
+  }
+  /** Of the canvas, where the design is drawn: of two, the right one; pixels from below. */
+  get designPart(): Vector4 | null {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    return this.beside && new Vector4(width / 2, 0, width / 2, height);
   }
 
   private renderNow(): void {
@@ -124,6 +108,7 @@ export class Stage {
       this.renderPart(0, width, height);
     }
     this.labels.render(this.scene, this.camera);
+    for (const heard of this.drew) heard();
   }
 
   /** @param x, width, height of the part, pixels of the page */
@@ -167,49 +152,36 @@ export class Stage {
     this.draw();
   }
 
-  /** Look as a device does: along its z axis, y down, with its field of view. */
-  lookThrough({ pose, outline }: Device): void {
-    const [x, y, z] = [0, 1, 2].map((k) => new Vector3(...pose!.R.map((row) => row[k]!))) as [Vector3, Vector3, Vector3];
-    const position = new Vector3(...pose!.p);
+  /** Look as a device does. */
+  lookThrough(device: Device): void {
+    this.eye.lookThrough(device);
     this.orbit.enabled = false;
-    this.camera.position.copy(position);
-    this.camera.quaternion.setFromRotationMatrix(new Matrix4().makeBasis(x, y.negate(), z.negate()));
-    const tall = Math.max(0.2, ...(outline ?? []).map((p) => Math.max(Math.abs(p[1]), Math.abs(p[0]) / this.camera.aspect) / p[2]));
-    this.setFov((360 / Math.PI) * Math.atan(1.05 * tall));
     this.draw();
   }
-  /** Whether it looks as a device does. */
-  get asDevice(): boolean {
-    return !this.orbit.enabled && this.camera.fov !== this.fov;
-  }
 
-  private setFov(degrees: number): void {
-    this.camera.fov = degrees;
-    this.camera.updateProjectionMatrix();
-  }
-
-  /** Look at a box as a whole. */
+  /** Look at a box as a whole, or at the last one. */
   look(from: ViewName, box?: Box): void {
+    this.eye.look(from, box);
+    this.freely();
+  }
+
+  /** Go around what is looked at. @param left, up radians */
+  turn(left: number, up: number): void {
+    if (this.eye.asDevice) return;
+    this.eye.turn(left, up);
+    this.freely();
+  }
+
+  /** In parallel, or in perspective. */
+  setOrthographic(flat: boolean): void {
+    this.eye.setOrthographic(flat);
+    if (this.eye.asDevice) return;
+    this.freely();
+  }
+
+  private freely(): void {
+    this.orbit.object = this.camera;
     this.orbit.enabled = true;
-    this.setFov(this.fov);
-    if (box) {
-      const low = new Vector3(...box.min);
-      const high = new Vector3(...box.max);
-      this.center = low.clone().add(high).multiplyScalar(0.5);
-      this.radius = Math.max(1e-3, low.distanceTo(high) / 2);
-    }
-    const narrow = Math.min(1, this.camera.aspect);
-    const half = Math.atan(Math.tan((this.camera.fov * Math.PI) / 360) * narrow);
-    const distance = (1.12 * this.radius) / Math.sin(half);
-    this.camera.near = this.radius / 200;
-    this.camera.far = 40 * this.radius;
-    this.camera.position
-      .copy(directions[from])
-      .normalize()
-      .multiplyScalar(distance)
-      .add(this.center);
-    this.camera.updateProjectionMatrix();
-    this.orbit.target.copy(this.center);
     this.orbit.update();
     this.draw();
   }
@@ -224,7 +196,7 @@ export class Stage {
     );
     const caster = new Raycaster();
     caster.setFromCamera(at, this.camera);
-    caster.params.Points = { threshold: this.radius / 60 };
+    caster.params.Points = { threshold: this.eye.size / 60 };
     return caster;
   }
 
@@ -235,9 +207,7 @@ export class Stage {
     const part = this.beside ? width / 2 : width;
     this.labels.setSize(part, height);
     this.labels.domElement.style.left = `${width - part}px`;
-    this.camera.aspect = part / height;
-    // The room stands in the middle of what the colour bar leaves free.
-    this.camera.setViewOffset(part, height, barWidth / 2, 0, part, height);
+    this.eye.frame(part, height);
     this.draw();
   }
 }

@@ -11,6 +11,7 @@ import {
   LinearFilter,
   Matrix4,
   Mesh,
+  OrthographicCamera,
   RGBAFormat,
   ShaderMaterial,
   Texture,
@@ -20,6 +21,7 @@ import {
 import { Drawn, type Field, type GridPart } from '../field';
 import { scaleShader } from '../maps';
 import type { Scale } from '../scale';
+import { sightOf } from './eye';
 import { applyScale, blindShader, scaleUniforms } from './uniforms';
 
 const vertexShader = /* glsl */ `
@@ -42,7 +44,9 @@ precision highp sampler3D;
 uniform sampler3D samples;
 uniform sampler2D opaqueDepth;
 uniform vec2 picture, corner;    // pixels
-uniform vec3 counts, size, eye;  // eye in the box
+uniform vec3 counts, size;
+uniform vec3 camera, sight;  // in the box: where it is, which way it looks
+uniform bool parallel;       // all rays are
 uniform mat4 toClip, toBox;
 uniform bool cloud;
 uniform vec2 between;
@@ -51,6 +55,7 @@ out vec4 colour;
 ${scaleShader}
 ${blindShader}
 uniform int steps;
+vec3 eye;  // where the ray begins
 
 /** The value at a place of the box, and how much of the weight has one; less than 0: it is
  * within a solid. */
@@ -74,7 +79,8 @@ float opaque(vec3 direction) {
 }
 
 void main() {
-  vec3 direction = normalize(place - eye);
+  vec3 direction = parallel ? normalize(sight) : normalize(place - camera);
+  eye = parallel ? place - 2.0 * direction : camera;
   vec3 a = -eye / direction, b = (1.0 - eye) / direction;
   vec3 near = min(a, b), far = max(a, b);
   float begin = max(max(near.x, max(near.y, near.z)), 0.0);
@@ -167,7 +173,9 @@ export class Volume {
         corner: { value: new Vector2() },
         counts: { value: new Vector3() },
         size: { value: new Vector3(1, 1, 1) },
-        eye: { value: new Vector3() },
+        camera: { value: new Vector3() },
+        sight: { value: new Vector3() },
+        parallel: { value: false },
         toClip: { value: this.clip },
         toBox: { value: new Matrix4() },
         cloud: { value: true },
@@ -211,8 +219,11 @@ export class Volume {
     const { uniforms } = this.mesh.material;
     this.clip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).multiply(this.mesh.matrixWorld);
     uniforms.toBox!.value.copy(this.clip).invert();
-    uniforms.eye!.value.setFromMatrixPosition(camera.matrixWorld);
-    this.mesh.worldToLocal(uniforms.eye!.value);
+    const toMesh = this.mesh.matrixWorld.clone().invert();
+    uniforms.camera!.value.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(toMesh);
+    // A direction is the difference of two places.
+    uniforms.sight!.value.copy(sightOf(camera)).add(this.mesh.position).applyMatrix4(toMesh);
+    uniforms.parallel!.value = camera instanceof OrthographicCamera;
     uniforms.opaqueDepth!.value = depth;
     uniforms.corner!.value.copy(corner);
     uniforms.picture!.value.copy(picture);

@@ -1,0 +1,23 @@
+// The field in a picture: layers of grids, planes, surfaces, points, and isosurfaces.
+#pragma once
+
+#include "output/map.h"
+#include "render/ground.h"
+#include "render/picture.h"
+
+namespace delos::render {
+
+/// What everything is drawn with.
+struct Pen {
+  Raster& raster;
+  const Eye& eye;  ///< of the raster's own frame
+  const Ground& ground;
+};
+
+/// @param colours of values; nullopt: none has one
+/// @throws session::Refusal as render_picture()
+[[nodiscard]] std::vector<DrawnLevel> draw_field_layer(
+    const Pen& pen, const session::DrawnField& drawn,
+    const std::optional<ColourRange>& colours, const PictureOptions& options);
+
+}  // namespace delos::render
