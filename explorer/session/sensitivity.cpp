@@ -18,7 +18,8 @@ constexpr double kStep = 1e-4;
 /// the ends may be off one line by, where the metric is smooth.
 constexpr double kBend = 0.1, kRounding = 1e-7;
 
-SceneNumber number_at(Scene& scene, const std::string& path, PluginRegistry& plugins) {
+SceneNumber found_number(Scene& scene, const std::string& path,
+                         PluginRegistry& plugins) {
   const auto found = find_number(scene, path, plugins);
   if (const auto* problem = std::get_if<std::string>(&found))
     throw Refusal(Blame::question, "sensitivity: " + *problem);
@@ -30,7 +31,7 @@ Field field_with(const LoadedScene& loaded, const std::string& path, double valu
                  const Samples& samples, const FieldOptions& options,
                  PluginRegistry& plugins) {
   Scene scene = loaded.scene;
-  *number_at(scene, path, plugins).value = value;
+  *found_number(scene, path, plugins).value = value;
   const LoadedScene other = loaded_from(std::move(scene), plugins, &loaded.system);
   return evaluate_field(other.system, samples, other.scene.orientations, loaded.metric,
                         options);
@@ -63,7 +64,7 @@ Sensitivity draw_sensitivity(const LoadedScene& loaded, const std::string& path,
                              std::size_t most, const FieldOptions& options,
                              PluginRegistry& plugins) {
   Scene scene = loaded.scene;
-  const SceneNumber known = number_at(scene, path, plugins);
+  const SceneNumber known = found_number(scene, path, plugins);
   Sensitivity result;
   result.value = *known.value;
   result.unit = known.unit;

@@ -186,7 +186,7 @@ Simulation expect_total(const System& system, const Vector3d& p, int runs) {
   const double once = simulate(system, pose, {.runs = 2}).time_constant;
   const Simulation s =
       simulate(system, pose, {.runs = runs, .seed = 11, .seconds = 12 * once});
-  EXPECT_EQ(s.lost, 0u);
+  EXPECT_LE(s.lost, 5u) << "targets that come from behind the devices";
   for (const SimulatedCovariance& c : s.covariances)
     for (Eigen::Index i = 0; i < c.predicted.rows(); ++i)
       for (Eigen::Index j = 0; j <= i; ++j)

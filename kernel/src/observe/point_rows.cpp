@@ -74,7 +74,7 @@ void look(const System& system, const PlacedDevice& placed, const PlacedMarker& 
 
 /// What is read without sight, of variance r + σ² and p of the time: of the weight
 /// p/(r + σ²).
-void weaken(const PlacedDevice& placed, PointRows& out) {
+void weaken_rows(const PlacedDevice& placed, PointRows& out) {
   const WithoutSight& without = placed.without_sight;
   const double more = placed.noise * without.sigma * without.sigma;
   for (std::uint64_t left = out.hidden; left != 0; left &= left - 1) {
@@ -148,7 +148,7 @@ bool observe_rows(const System& system, const PlacedDevice& placed,
     out.perfect |= perfect[r];
   }
   if (may_be_hidden(system, placed)) look(system, placed, marker, poses, sight, out);
-  if (placed.without_sight.arrives()) weaken(placed, out);
+  if (placed.without_sight.arrives()) weaken_rows(placed, out);
   return true;
 }
 

@@ -219,8 +219,8 @@ std::string untold(const std::string& key, const DeviceEntry& entry,
 }
 
 /// A problem of errors, at the key that they are written under.
-void refuse(Reader& reader, const Place& root, const Scene& scene,
-            const std::string& problem) {
+void refuse_errors(Reader& reader, const Place& root, const Scene& scene,
+                   const std::string& problem) {
   for (std::size_t i = 0; i < scene.devices.size(); ++i) {
     const DeviceEntry& device = scene.devices[i];
     const Node& node = root.node().find("devices")->items[i];
@@ -356,7 +356,7 @@ void check_calibrations(Reader& reader, const Place& root, const Scene& scene) {
     problem =
         "isn't known where the information of several orientations is combined; "
         "use combine: worst or mean, or error: scatter";
-  if (!problem.empty()) refuse(reader, root, scene, problem);
+  if (!problem.empty()) refuse_errors(reader, root, scene, problem);
   check_delays(reader, root, scene);
 }
 

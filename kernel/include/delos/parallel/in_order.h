@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include <cstddef>
-#include <optional>
+#include <memory>
 
 #include "delos/parallel/each.h"
 
@@ -22,8 +22,9 @@ void each_in_order(std::size_t first, std::size_t end, int threads, Make&& make,
   bool whole = true;  // up to the one whose turn it is
 #pragma omp parallel num_threads(thread_count(threads))
   {
-    std::optional<decltype(make())> work;
-    failure.guard([&] { work.emplace(make()); });
+    using Work = decltype(make());
+    std::unique_ptr<Work> work;  // which needn't be able to move
+    failure.guard([&] { work.reset(new Work(make())); });
 #pragma omp for ordered schedule(static, 1)
     for (std::size_t i = first; i < end; ++i) {
       const bool done = work && failure.guard([&] { (*work)(i); });
