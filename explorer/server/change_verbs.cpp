@@ -111,7 +111,8 @@ Reply array(const Work& work) {
                         : session::in_a_row(loaded_of(work), device, copies, at);
   if (const auto* why = std::get_if<std::string>(&changes))
     return refusal(Status::unprocessable, *why);
-  return changed(work, std::get<std::vector<Override>>(std::move(changes)));
+  return changed(work, std::get<std::vector<Override>>(std::move(changes)),
+                 gesture_of(work));
 }
 
 Reply mirror(const Work& work) {
