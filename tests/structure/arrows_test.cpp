@@ -179,7 +179,7 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
   expect_downwards({"explorer",
                     {"recordings", "motion", "measured", "readings", "imports",
-                     "session", "server", "report", "cli"}},
+                     "session", "render", "server", "report", "cli"}},
                    "");
 }
 
@@ -202,7 +202,9 @@ TEST(Arrows, LeadToEachLibraryFromItsRoom) {
         "explorer/motion/", "explorer/readings/", "explorer/session/",
         "explorer/server/"}},
       {"CGAL", std::regex("CGAL/.*"), {"kernel/src/geometry/"}},
-      {"Cairo", std::regex("(cairo/)?cairo.*"), {"kernel/src/output/"}},
+      {"Cairo",
+       std::regex("(cairo/)?cairo.*"),
+       {"kernel/src/output/", "explorer/render/"}},
       {"nlohmann", std::regex("nlohmann/.*"), {"kernel/src/output/", "explorer/"}},
       {"udunits", std::regex("(udunits2/)?udunits.*"), {"kernel/src/text/"}},
       {"OpenMP",
