@@ -13,10 +13,10 @@ namespace delos::session {
 namespace {
 
 /// Of the number's size: the error of a central difference is of its square.
-constexpr double kStep = 1e-4;
+constexpr double kStep = 1e-5;
 /// Of the change over the step, and of the value: what the values in the middle and at
 /// the ends may be off one line by, where the metric is smooth.
-constexpr double kBend = 0.1, kRounding = 1e-7;
+constexpr double kBend = 0.1, kRounding = 1e-9;
 
 SceneNumber found_number(Scene& scene, const std::string& path,
                          PluginRegistry& plugins) {

@@ -15,14 +15,15 @@ struct Sensitivity {
   double least = 0, most = 0;  ///< between which the slope is taken
 };
 
-/// Slopes by central differences over a ten-thousandth of the number, or of 1 m or 1 rad
+/// Slopes by central differences over 1e-5 of the number, or of 1 m or 1 rad
 /// where that is more: of any number of any device, and with the hard edges of what is
 /// seen. At a bound, to one side only. Where the metric jumps within the step, as a
 /// device begins to see, there is no slope, and it is Drawn::blind; where the metric is
-/// finite at one end alone it is Drawn::gained, if at the larger number, or Drawn::lost.
+/// finite at one end alone it is Drawn::gained, if at the larger number, or
+/// Drawn::lost.
 ///
-/// The summary is that of drawn_change() with {sensitivity: {path, value, unit, edges}},
-/// the last how many samples jump.
+/// The summary is that of drawn_change() with {sensitivity: {path, value, unit,
+/// edges}}, the last how many samples jump.
 /// @param path as find_number()
 /// @param most as draw_field()
 /// @throws Refusal that there is no such number

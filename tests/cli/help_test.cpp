@@ -7,11 +7,11 @@ namespace delos::test {
 namespace {
 
 const std::vector<std::string> kCommands = {
-    "field",      "point",    "compare",  "check",       "devices",
-    "new-device", "simulate", "optimize", "study",       "tradeoff",
-    "report",     "demo",     "explore",  "sample-time", "fit-motion",
-    "motions",    "noise",    "power",    "shutter",     "import",
-    "export",     "compare-measured"};
+    "field",      "point",    "compare",         "check",       "devices",
+    "new-device", "simulate", "optimize",        "study",       "tradeoff",
+    "report",     "demo",     "explore",         "sample-time", "fit-motion",
+    "motions",    "noise",    "power",           "shutter",     "import",
+    "export",     "render",   "compare-measured"};
 
 TEST(Help, ListsEveryCommandAndTheExitCodes) {
   const Finished done = run({"--help"});

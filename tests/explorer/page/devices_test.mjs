@@ -70,3 +70,39 @@ await test('what cannot be added', [laboratory], async (page) => {
   assert.ok((await page.textContent('.message')).length > 20, 'says why');
   assert.ok(await page.isDisabled('[aria-label="Undo (Ctrl Z)"]'), 'and all is as it was');
 }, 1);
+
+await test('arrays', [laboratory], async (page) => {
+  await settled(page);
+  const count = () => page.locator('[data-device]').count();
+  await page.click('[data-device=c104325]');
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('Shift+D');
+  await page.fill('#array-copies', '3');
+  await page.getByLabel('x', { exact: true }).last().fill('-50 cm');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('[data-device=c104325_4]');
+  await settled(page);
+  assert.equal(await count(), 11);
+  await picture(page, 'row');
+  const x = Number((await box(page, 'x').inputValue()).replace(' m', ''));
+  assert.ok(x < 2.05 && x > 0.5, `one of the copies is chosen: ${x}`);
+  const saved = await save(page, 'row.yaml');
+  assert.deepEqual(await range(page), rangeOf(saved));
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  assert.equal(await count(), 8, 'one step');
+
+  await page.click('[data-device=c104325]');
+  await page.getByText('Array…', { exact: true }).click();
+  await page.check('#array-circle');
+  await page.fill('#array-copies', '5');
+  await page.getByText('Make them', { exact: true }).click();
+  await page.waitForSelector('[data-device=c104325_6]');
+  await settled(page);
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('7');
+  await page.waitForTimeout(300);
+  await picture(page, 'circle');
+  assert.equal(await count(), 13);
+});

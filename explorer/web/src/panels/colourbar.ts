@@ -34,7 +34,7 @@ export class ColourBar {
       ...(gained === undefined || lost === undefined
         ? key('hatch', without > 0 ? `blind: ${without} of ${summary.samples}` : 'blind: none')
         : [
-            ...key('hatch', `blind in both: ${without - gained - lost}`),
+            ...key('hatch', `${summary.sensitivity ? 'no slope' : 'blind in both'}: ${without - gained - lost}`),
             ...key('hatch gained', `seen only ${summary.sensitivity ? 'with more' : 'now'}: ${gained}`),
             ...key('hatch lost', `seen only ${summary.sensitivity ? 'with less' : 'before'}: ${lost}`),
           ]),

@@ -16,6 +16,8 @@ function numbersOf(description: Description, name: string | null): string[] {
 export class SensitivityPanel {
   readonly element: HTMLElement;
   private readonly path: HTMLInputElement;
+  /** What is being typed stays. */
+  private typing = false;
   private readonly known = h('datalist', { id: 'sensitivity-numbers' });
 
   constructor(
@@ -29,17 +31,19 @@ export class SensitivityPanel {
       autocomplete: 'off',
       placeholder: 'devices.NAME.at.z',
       title: 'How much the metric rises with a number: its path, or one of the chosen device; empty: the metric itself',
+      oninput: () => (this.typing = true),
       onchange: () => {
+        this.typing = false;
         viewing.sensitivity = this.path.value.trim();
         changed();
       },
     });
     this.path.setAttribute('list', 'sensitivity-numbers');
-    this.element = h('div', { className: 'pair' }, h('label', { htmlFor: 'sensitivity' }, 'Slope over'), this.path, this.known);
+    this.element = h('div', { className: 'pair' }, h('label', { htmlFor: 'sensitivity' }, 'Slope'), this.path, this.known);
   }
 
   show(description: Description, selected: string | null): void {
-    if (document.activeElement !== this.path) this.path.value = this.viewing.sensitivity;
+    if (!this.typing) this.path.value = this.viewing.sensitivity;
     const paths = numbersOf(description, selected);
     if (this.known.dataset.paths === paths.join()) return;
     this.known.dataset.paths = paths.join();

@@ -1,0 +1,57 @@
+// delos render, as a user runs it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace delos::test {
+namespace {
+
+TEST(Render, DrawsTheRangeThatFieldPrints) {
+  const Folder folder;
+  const std::string file = scene("01-acoustic");
+  const auto drawn = [&](const std::string& threads) {
+    const Finished done =
+        run({"render", file, "-o", threads + ".png", "--width", "400", "--height",
+             "300", "--surface", "25 mm", "--json", "--threads", threads},
+            folder.path());
+    EXPECT_EQ(done.code, 0) << done.err;
+    return nlohmann::json::parse(done.out);
+  };
+  const auto picture = drawn("1");
+  const auto field = nlohmann::json::parse(run({"field", file, "--json"}).out);
+  EXPECT_EQ(picture["range"]["min"], field["min"]["value"]);
+  EXPECT_EQ(picture["range"]["max"], field["max"]["value"]);
+  EXPECT_EQ(picture["width"], 400);
+  EXPECT_EQ(picture["surfaces"][0]["level"], 0.025);
+  EXPECT_GT(picture["surfaces"][0]["area"], 0.16) << "it crosses the column twice";
+  drawn("2");
+  const std::string png = read_file(folder.path() / "1.png");
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png, read_file(folder.path() / "2.png"));
+}
+
+/// What can't be drawn is told in a sentence, and no file is written.
+TEST(Render, RefusesWhatItCantDraw) {
+  const Folder folder;
+  const std::string file = scene("01-acoustic");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--view", "north"}, "--view 'north': should be corner, top"},
+      {{"--slice", "w"}, "--slice 'w': should be x, y or z"},
+      {{"--slice", "z=high"}, "--slice 'z=high': "},
+      {{"--surface", "1 m"}, "the field runs from 17 mm to 81.7 mm"},
+      {{"--layers", "roof"}, "there is no 'roof'"}};
+  for (const auto& [options, sentence] : wrong) {
+    std::vector<std::string> words{"render", file, "-o", "no.png"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Finished done = run(words, folder.path());
+    EXPECT_EQ(done.code, 2) << sentence;
+    EXPECT_NE(done.err.find(sentence), std::string::npos) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "no.png"));
+  }
+  EXPECT_EQ(run({"render", file, "-o", "picture.gif"}, folder.path()).code, 2);
+}
+
+}  // namespace
+}  // namespace delos::test
