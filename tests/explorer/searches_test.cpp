@@ -165,14 +165,15 @@ TEST(Searches, ChooseAmongCandidates) {
   const Explorer explorer;
   const std::string session = explorer.open("12-ceiling-anchors")["session"];
   const std::string before = explorer.ask("text", session).body;
-  ASSERT_EQ(explorer.ask("select_start", session, {{"seconds", 30}}).status, 200);
+  ASSERT_EQ(explorer.ask("select_start", session, {{"gap", 0.05}}).status, 200);
   Json search;
   do {
     std::this_thread::sleep_for(kGlance);
     search = explorer.ask("searches", session).json()["searches"][0];
   } while (search["phase"] == "running" || search["phase"] == "waiting");
   ASSERT_EQ(search["phase"], "ended") << search;
-  const Json alone = run({"select", scene("12-ceiling-anchors"), "--json"}).json();
+  const Json alone =
+      run({"select", scene("12-ceiling-anchors"), "--gap", "0.05", "--json"}).json();
   EXPECT_EQ(search["result"]["chosen"], alone["chosen"]);
   EXPECT_EQ(search["result"]["value"], alone["value"]);
   EXPECT_LE(search["curve"].back()["bound"], search["curve"].back()["value"]);
