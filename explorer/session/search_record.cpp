@@ -62,8 +62,8 @@ void SearchRecord::forget_round() {
   rounds_.erase(rounds_.begin());
 }
 
-void SearchRecord::part_from_rounds() {
-  parted_ = round();
+void SearchRecord::part_from_rounds(int last) {
+  parted_ = std::max(parted_, last);
   best_.reset();
   waiting_.reset();
 }

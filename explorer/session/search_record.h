@@ -43,8 +43,10 @@ class SearchRecord {
   /// A round begins: what was the best before isn't any more.
   /// @param scene that it searches, without what is locked
   void begin_round(int number, const Scene& scene, PluginRegistry& plugins);
-  /// What the rounds until now still find is of another design: it is no incumbent.
-  void part_from_rounds();
+  /// What the rounds up to one still find is of another design: it is no incumbent.
+  void part_from_rounds(int last);
+  /// Whether the last round is such a one.
+  [[nodiscard]] bool parted() const { return round() <= parted_; }
   /// Evaluations that a resumed search recalls count once.
   void add(const StudyEvaluation& evaluation);
 

@@ -31,6 +31,23 @@ Scene judged_like(Scene scene, const Scene& study) {
   return with_definition(std::move(scene));
 }
 
+/// A design as the act `inject` writes it.
+std::string text_of(const VariableValues& design) {
+  std::string text;
+  for (std::size_t i = 0; i < design.paths.size(); ++i)
+    text += (i > 0 ? "\n" : "") + design.paths[i] + '=' + shortest(design.values[i]);
+  return text;
+}
+
+/// The values that a scene's variables have, or the bounds that they are beyond.
+VariableValues within_bounds(const Scene& scene, PluginRegistry& plugins) {
+  VariableValues all = values_of(scene, plugins);
+  for (std::size_t i = 0; i < all.values.size(); ++i)
+    all.values[i] =
+        std::clamp(all.values[i], scene.variables[i].lower, scene.variables[i].upper);
+  return all;
+}
+
 }  // namespace
 
 SearchRun::SearchRun(std::filesystem::path file, bool kept, const Scene& scene,
@@ -42,6 +59,11 @@ SearchRun::SearchRun(std::filesystem::path file, bool kept, const Scene& scene,
                        : Study::create(file_, scene, folder, wish_.plan, plugins);
   try {
     for (const std::string& path : wish_.locked) study.act("lock", path);
+    if (!wish_.locked.empty()) {
+      // The round that has begun could change all: it ends, and nothing of it counts.
+      study.act("inject", text_of(within_bounds(study.scene(), plugins_)));
+      record_.part_from_rounds(study.summary().rounds.back().number);
+    }
   } catch (...) {
     if (!exists) remove_study(file_);
     throw;
@@ -71,31 +93,23 @@ void SearchRun::edited(Scene scene) {
   edited_ = std::move(scene);
   edited_at_ = Clock::now();
   judged_.reset();
-  record_.part_from_rounds();
+  record_.part_from_rounds(record_.round());
   stop_ = true;
   tell();
 }
 
 void SearchRun::lock(const std::string& pattern, bool locked) {
   Study study(file_, plugins_);
-  const std::string shown = design_text();
+  const auto shown = best();
   // By itself the round would go on from what is best on all samples, which may be
   // another design than the one that was looked at and locked.
   study.act(locked ? "lock" : "unlock", pattern);
-  if (!shown.empty()) study.act("inject", shown);
+  if (shown) study.act("inject", text_of(shown->values));
   const std::lock_guard hold(mutex_);
   locked_ = study.summary().locked;
+  record_.part_from_rounds(record_.round());
+  judged_.reset();
   tell();
-}
-
-/// The best so far as the act `inject` writes it; empty: none.
-std::string SearchRun::design_text() const {
-  const auto shown = best();
-  std::string text;
-  for (std::size_t i = 0; shown && i < shown->values.paths.size(); ++i)
-    text += (i > 0 ? "\n" : "") + shown->values.paths[i] + '=' +
-            shortest(shown->values.values[i]);
-  return text;
 }
 
 void SearchRun::extend(int evaluations) {
@@ -165,7 +179,8 @@ void SearchRun::take(const OptimizeResult& result) {
   for (const char* key :
        {"initial", "best", "stop", "algorithm", "constraints", "messages"})
     result_[key] = std::move(all[key]);
-  if (!edited_) judged_ = Best{record_.round(), values_of(result.scene, plugins_)};
+  if (!edited_ && !record_.parted())
+    judged_ = Best{record_.round(), values_of(result.scene, plugins_)};
   tell();
 }
 

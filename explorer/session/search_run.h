@@ -63,7 +63,6 @@ class SearchRun final : public Job {
 
  private:
   bool advance() override;
-  [[nodiscard]] std::string design_text() const;
   void recall(const Study& study);
   void follow_hand(Study& study);
   void hear(const StudyEvaluation& evaluation, const Study& study);

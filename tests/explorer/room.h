@@ -51,7 +51,8 @@ struct Room {
   /// The values of the variables, from the design's text.
   [[nodiscard]] Json variables() const {
     Json values;
-    for (const Json& v : ask("task")["variables"])
+    const Json task = ask("task");
+    for (const Json& v : task["variables"])
       values[v["path"].get<std::string>()] = v["value"];
     return values;
   }

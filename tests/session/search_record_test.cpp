@@ -47,7 +47,7 @@ TEST(SearchRecord, KeepsWhatWasTheBestOfItsTime) {
   EXPECT_EQ(news["incumbents"][0]["objective"], -4);
   ASSERT_EQ(news["designs"].size(), 1u);
 
-  record.part_from_rounds();
+  record.part_from_rounds(1);
   EXPECT_EQ(record.best(), nullptr);
   record.add(evaluated(5, 1));
   EXPECT_EQ(record.best(), nullptr) << "it is of what was before a hand";

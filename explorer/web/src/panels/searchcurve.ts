@@ -7,7 +7,7 @@ const size = { width: 220, height: 110 };
 
 /** Incumbents of each round as steps, every evaluation as a dot: faint where edges are soft. */
 export function searchCurve(search: ValueSearch): SVGSVGElement {
-  const { objective, incumbents, designs, evaluations, of } = search;
+  const { objective, incumbents, designs, evaluations } = search;
   const last = incumbents[incumbents.length - 1]?.round ?? 0;
   const values = incumbents.map((i) => i.objective ?? NaN);
   const near = designs.map((d) => d.objective ?? NaN).filter((v) => values.length > 0 && v <= Math.max(...values));
@@ -25,8 +25,7 @@ export function searchCurve(search: ValueSearch): SVGSVGElement {
   });
   const best = search.best === null ? 'nothing that keeps the constraints yet' : `best ${quantity(search.best, objective.unit, 4)}`;
   const label = `${objective.name}: ${best} after ${evaluations} evaluations, round ${last}`;
-  const of_ = of > 0 ? ` of at most ${of} a round` : '';
-  return figure(frame, label, ...dots, ...lines, ...labels(frame, objective.unit, `${evaluations} evaluations${of_}`));
+  return figure(frame, label, ...dots, ...lines, ...labels(frame, objective.unit, `${evaluations} evaluations`));
 }
 
 /** The best choice so far, and what no choice can be below. */
