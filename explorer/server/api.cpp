@@ -8,6 +8,7 @@
 #include "delos/device/faults.h"
 #include "server/request.h"
 #include "server/verbs.h"
+#include "session/refusal.h"
 
 namespace delos::server {
 namespace {
@@ -32,6 +33,8 @@ Reply guarded(const Function& function) {
     return function();
   } catch (const BadRequest& error) {
     return refusal(Status::bad_request, error.what());
+  } catch (const session::Refusal& error) {
+    return refusal(Status::unprocessable, error.what(), error.findings());
   } catch (const DeviceFault& error) {
     return refusal(Status::unprocessable, error.what());
   } catch (const std::invalid_argument& error) {

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "delos/field/blind.h"
-#include "delos/scene/presets.h"
 #include "designs.h"
 #include "session/description.h"
 #include "session/palette.h"
+#include "session/presets.h"
 
 namespace delos::session {
 namespace {
@@ -179,7 +179,7 @@ TEST(MoreDevices, LeaveNothingBehind) {
 }
 
 /// Take all changes, which must do, as one step.
-void take_together(Design& design, const Together& together) {
+void take_all(Design& design, const Together& together) {
   const auto* all = std::get_if<std::vector<Override>>(&together);
   ASSERT_TRUE(all) << std::get<std::string>(together);
   const std::size_t steps = design.history().undoable();
@@ -191,7 +191,7 @@ TEST(MoreDevices, StandInARow) {
   Design design = design_of("05-optitrack-lab");
   const Pose first = design.loaded().system.devices[0].X_WS();
   const Eigen::Vector3d by(0.3, -0.4, 0.1);
-  take_together(design, in_a_row(design.loaded(), "c104321", 4, by));
+  take_all(design, in_a_row(design.loaded(), "c104321", 4, by));
   const auto& devices = design.loaded().system.devices;
   ASSERT_EQ(devices.size(), 12u);
   for (int k = 1; k <= 4; ++k) {
@@ -210,7 +210,7 @@ TEST(MoreDevices, StandInACircle) {
   Design design = design_of("05-optitrack-lab");
   const Eigen::Vector3d centre(-0.5, 0.2, 1);
   const Pose first = design.loaded().system.devices[1].X_WS();
-  take_together(design, in_a_circle(design.loaded(), "c104325", 5, centre));
+  take_all(design, in_a_circle(design.loaded(), "c104325", 5, centre));
   const auto& devices = design.loaded().system.devices;
   ASSERT_EQ(devices.size(), 13u);
   std::vector<Pose> poses{first};
