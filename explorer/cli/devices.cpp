@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "command.h"
-#include "delos/scene/presets.h"
 #include "delos/text/units.h"
 #include "json.h"
+#include "session/palette.h"
 #include "session/parameter_table.h"
 #include "summary.h"
 

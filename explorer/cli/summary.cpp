@@ -4,9 +4,9 @@
 #include <iomanip>
 #include <ostream>
 
-#include "delos/scene/presets.h"
 #include "delos/text/format.h"
 #include "delos/text/words.h"
+#include "session/palette.h"
 #include "session/point_answer.h"
 
 namespace delos::cli {

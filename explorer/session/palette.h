@@ -4,6 +4,7 @@
 #include <string>
 
 #include "delos/plugin/registry.h"
+#include "delos/scene/presets.h"
 #include "session/json.h"
 
 namespace delos::session {
