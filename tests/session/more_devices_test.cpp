@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "delos/field/blind.h"
+#include "delos/scene/presets.h"
 #include "designs.h"
 #include "session/description.h"
 #include "session/palette.h"
-#include "session/presets.h"
 
 namespace delos::session {
 namespace {
