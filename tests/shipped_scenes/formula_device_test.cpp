@@ -70,6 +70,7 @@ TEST(FormulaDevice, GivesTheFieldOfTheSameDevicesInCpp) {
         "p", ParamValue(Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, 0.1))));
     device.params.set("beyond", std::string("smooth"));
     device.params.set("sight", std::string("needed"));
+    device.params.set("period", std::string("0"));
   }
   const Field a = field_of(anchors), b = field_of(formulas);
   ASSERT_EQ(a.value.size(), b.value.size());

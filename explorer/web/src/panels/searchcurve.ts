@@ -44,5 +44,5 @@ export function boundCurve(selection: Selection): SVGSVGElement {
 }
 
 function labels({ width, height, y }: Frame, unit: string, x: string): SVGElement[] {
-  return [note(4, 10, quantity(y[1], unit)), note(4, height - 3, quantity(y[0], unit)), note(width - 4, height - 3, x, 'end')];
+  return [note(4, 10, quantity(y[1], unit)), note(4, height - 3, quantity(y[0], unit)), note(width - 4, 10, x, 'end')];
 }
