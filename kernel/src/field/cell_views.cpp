@@ -1,5 +1,7 @@
 #include "field/cell_views.h"
 
+#include <algorithm>
+
 #include "delos/parallel/each.h"
 #include "observe/lever.h"
 
@@ -48,7 +50,7 @@ void CellViews::follow(const Octree& tree, int threads) {
       }
     }
   };
-  std::size_t first = known;
+  std::size_t first = std::min(known, cells);  // a tree may have been cut back
   for (; first < cells && tree.cells()[first].level == 0; ++first) {
     decide_all(static_cast<Octree::Index>(first));
   }
