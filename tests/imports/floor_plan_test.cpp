@@ -104,7 +104,10 @@ TEST(FloorPlan, ThatIsDamagedIsReadOrRefused) {
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     return static_cast<std::size_t>(state >> 33) % std::max<std::size_t>(n, 1);
   };
+  imports::ImportOptions metres;
+  metres.unit = 1;
   for (const auto& [name, whole] : plans) {
+    ASSERT_TRUE(imported({{name, whole}}, metres).scene) << name;
     int refused = 0;
     for (int i = 0; i < 200; ++i) {
       std::string text = whole;
@@ -115,7 +118,7 @@ TEST(FloorPlan, ThatIsDamagedIsReadOrRefused) {
         else
           text.insert(at, words[below(words.size())]);
       }
-      const Imported got = imported({{name, text}});
+      const Imported got = imported({{name, text}}, metres);
       ASSERT_TRUE(got.scene || !got.findings.empty()) << text;
       refused += !got.scene;
     }
