@@ -34,6 +34,10 @@ struct TextStyle {
   Rgb colour{0.13, 0.13, 0.13};
 };
 
+/// Have a context write in grey levels and unhinted widths: the same picture on every
+/// screen and desktop.
+void use_plain_fonts(cairo_t* context);
+
 /// A white opaque image.
 class Canvas {
  public:

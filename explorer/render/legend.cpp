@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "delos/text/format.h"
+#include "output/canvas.h"
 #include "output/ticks.h"
 
 namespace delos::render {
@@ -28,13 +29,7 @@ class Writing {
     each([](unsigned char* pixel, const unsigned char* rgb) {
       for (int c = 0; c < 3; ++c) pixel[c] = rgb[2 - c];  // blue first
     });
-    // Grey levels and unhinted widths: the same on every screen.
-    cairo_font_options_t* options = cairo_font_options_create();
-    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
-    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    cairo_set_font_options(context_.get(), options);
-    cairo_font_options_destroy(options);
+    use_plain_fonts(context_.get());
   }
   ~Writing() {
     each([](const unsigned char* pixel, unsigned char* rgb) {

@@ -16,6 +16,8 @@ constexpr int kMostBodies = 10'000;
 constexpr std::pair<const char*, ClutterShape> kClutterShapeWords[] = {
     {"box", ClutterShape::box}, {"sphere", ClutterShape::sphere}};
 
+constexpr Bounds kSize = above(0);
+
 void read_size(Reader& reader, const Place& at, ClutterEntry& out) {
   const char* form = "two lengths [least, greatest]";
   if (!reader.expect(at, Node::Kind::list, form)) return;
@@ -29,7 +31,7 @@ void read_size(Reader& reader, const Place& at, ClutterEntry& out) {
   const auto least = reader.number(Place(at, "0", items[0]), "m"),
              greatest = reader.number(most, "m");
   if (!least || !greatest) return;
-  if (!(*least > 0)) reader.error(Place(at, "0", items[0]), "must be above 0");
+  reader.within(Place(at, "0", items[0]), *least, kSize, "m");
   if (*greatest < *least) reader.error(most, "is below the least; exchange them");
   out.least = *least;
   out.greatest = *greatest;
@@ -49,7 +51,7 @@ constexpr std::array<Key<ClutterEntry>, 5> kClutterKeys = {{
        return to_node(std::string(word_of(kClutterShapeWords, c.shape)));
      }},
     {"size", Need::required, "edges of boxes, or diameters, [least, greatest], metres",
-     numbers("m", 2, 2, above(0)), read_size,
+     numbers("m", 2, 2, kSize), read_size,
      [](const ClutterEntry& c) -> Written {
        return to_node(std::vector<Node>{to_node(c.least), to_node(c.greatest)});
      }},

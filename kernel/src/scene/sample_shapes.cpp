@@ -25,6 +25,8 @@ struct Volume {
   std::optional<AdaptiveSampling> adaptive;
 };
 
+constexpr Bounds kStep = above(0), kNear = above(0);
+
 /// One step for all axes, or a list of three.
 void read_step(Reader& reader, const Place& at, Volume& out) {
   const bool list = at.node().kind == Node::Kind::list;
@@ -37,12 +39,8 @@ void read_step(Reader& reader, const Place& at, Volume& out) {
   }
   if (reader.findings.errors() != before) return;
   for (std::size_t i = 0; i < (list ? 3 : 1); ++i) {
-    if (step[static_cast<Eigen::Index>(i)] > 0) continue;
-    constexpr const char* kProblem = "must be above 0";
-    if (list)
-      reader.error(Place(at, kAxes[i], at.node().items[i]), kProblem);
-    else
-      reader.error(at, kProblem);
+    const Place place = list ? Place(at, kAxes[i], at.node().items[i]) : at;
+    reader.within(place, step[static_cast<Eigen::Index>(i)], kStep, "m");
   }
 }
 
@@ -73,7 +71,7 @@ constexpr std::array<Key<AdaptiveSampling>, 6> kAdaptiveKeys = {{
     other_key<&AdaptiveSampling::seconds>(
         "seconds", Need::optional, "stop after about so long", number("s", above(0))),
     {"near", Need::optional, "refine only around this value of the metric",
-     number(nullptr, above(0)), nullptr,
+     number(nullptr, kNear), nullptr,
      [](const AdaptiveSampling& a) { return write_if(a.near_value); }},
     {"within", Need::optional, "refine only in this box: its corners min and max",
      map(box_keys),
@@ -87,7 +85,7 @@ constexpr std::array<Key<AdaptiveSampling>, 6> kAdaptiveKeys = {{
 }};
 
 std::vector<Shape> step_forms() {
-  return {number("m", above(0)), numbers("m", 3, 3, above(0))};
+  return {number("m", kStep), numbers("m", 3, 3, kStep)};
 }
 
 constexpr std::array<Key<Volume>, 4> kVolumeKeys = {{
@@ -303,9 +301,8 @@ std::optional<PathSampling> read_path(Reader& reader, const Place& at) {
 std::optional<double> read_near_value(Reader& reader, const Place& at,
                                       std::string_view unit) {
   const auto value = reader.number(at, unit);
-  if (!value || *value > 0) return value;
-  reader.error(at, "must be above 0");
-  return std::nullopt;
+  if (!value || !reader.within(at, *value, kNear, unit)) return std::nullopt;
+  return value;
 }
 
 std::optional<PlaneSampling> read_plane(Reader& reader, const Place& at) {
