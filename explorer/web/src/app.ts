@@ -18,6 +18,8 @@ import { firstViewing, middle } from './viewing';
 import { Work } from './work';
 
 const sessionKey = 'delos-session';
+/** How long a description waits for its field, milliseconds. */
+const patience = 60;
 
 export class App {
   private readonly layout: Layout;
@@ -32,6 +34,7 @@ export class App {
   private colours = applyTheme(this.theme);
   private session: Session | null = null;
   private snapping = false;
+  private waiting = 0;
   /** A device that was just made, to be chosen. */
   private awaited: Set<string> | null = null;
 
@@ -107,8 +110,8 @@ export class App {
     });
     this.answers = new Answers(this.shown, this.viewing, {
       drawn: () => {
+        this.described(false);
         this.render();
-        if (this.viewing.compare === 'beside') this.described(); // the other one's devices
       },
       answered: () => this.showProbe(),
       uncertain: () => this.showUncertainty(),
@@ -202,11 +205,14 @@ export class App {
     if (shown.selected && !names.has(shown.selected)) shown.selected = null;
     this.awaited = null;
     shown.description = description;
-    this.described(false); // its field follows, and is drawn with it
+    // Its field follows, and is drawn with it where that doesn't take long: a picture less.
+    clearTimeout(this.waiting);
+    this.waiting = window.setTimeout(() => this.described(), patience);
   }
 
   private described(draw = true): void {
     const { shown, picture } = this;
+    clearTimeout(this.waiting);
     if (!shown.description) return;
     this.layout.describe(shown.description, shown.selected);
     this.searching.describe(shown.description, shown.selected);

@@ -2,8 +2,8 @@
 //
 // Changes go one after the other; of those that wait for one place only the newest counts.
 // Each is followed by a coarse field, which the next one waits for, so that the picture keeps up
-// with the hand; what takes longer waits until nothing changes any more, and is given up as soon
-// as something does.
+// with the hand; what takes longer waits until the hand rests, and is given up as soon as
+// something changes.
 import { Refusal } from './server';
 
 export interface Steps {
@@ -16,6 +16,20 @@ export interface Steps {
   failed: (error: unknown) => void;
   busy: (busy: boolean) => void;
 }
+
+/** After how long a hand that has moved something rests, milliseconds. */
+const stillness = 150;
+
+/** @throws AbortError it moved before */
+const rested = (signal: AbortSignal) =>
+  new Promise<void>((still, moved) => {
+    signal.throwIfAborted();
+    const waiting = setTimeout(still, stillness);
+    signal.addEventListener('abort', () => {
+      clearTimeout(waiting);
+      moved(signal.reason);
+    });
+  });
 
 export class Work {
   private readonly waiting = new Map<string, { verb: string; body: object }>();
@@ -67,6 +81,7 @@ export class Work {
         this.abort = new AbortController();
         const { signal } = this.abort;
         await this.steps.draw(this.gone.signal);
+        if (next && 'gesture' in next[1].body && next[1].body.gesture !== '') await rested(signal);
         if (this.waiting.size === 0 && !this.stale) await this.steps.rest(signal);
       } catch (error) {
         const overtaken =

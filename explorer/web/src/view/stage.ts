@@ -31,6 +31,8 @@ export class Stage {
   private beside: { left: Object3D; right: Object3D } | null = null;
   private volumes: Volume[] = [];
   private pending = false;
+  /** Of the host, pixels of the page: asking it anew would lay the page out. */
+  private readonly size = new Vector2();
   /** Called when it has drawn. */
   readonly drew: (() => void)[] = [];
 
@@ -90,12 +92,12 @@ export class Stage {
   }
   /** Of the canvas, where the design is drawn: of two, the right one; pixels from below. */
   get designPart(): Vector4 | null {
-    const { clientWidth: width, clientHeight: height } = this.host;
+    const { x: width, y: height } = this.size;
     return this.beside && new Vector4(width / 2, 0, width / 2, height);
   }
 
   private renderNow(): void {
-    const { clientWidth: width, clientHeight: height } = this.host;
+    const { x: width, y: height } = this.size;
     const half = width / 2;
     this.renderer.setScissorTest(this.beside !== null);
     if (this.beside) {
@@ -203,6 +205,7 @@ export class Stage {
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
+    this.size.set(width, height);
     this.renderer.setSize(width, height);
     const part = this.beside ? width / 2 : width;
     this.labels.setSize(part, height);
