@@ -142,8 +142,9 @@ TEST(Simulate, KeepsRunsAndGoesOnFromThem) {
 /// as large ranges bend more over what isn't known.
 TEST(Field, ShowsWhereLinearisingCantBeTrusted) {
   const auto mean = [](const char* metric, const char* r) {
-    std::vector<std::string> all = {"field", scene("01-acoustic"), "--metric", metric,
-                                    "--json"};
+    std::vector<std::string> all = {
+        "field", scene("01-acoustic"),     "--metric", metric,
+        "--set", "sample.volume.step=0.1", "--json"};
     for (const char* name : {"s1", "s2", "s3", "s4"})
       all.insert(all.end(),
                  {"--set", std::string("devices.") + name + ".params.r=" + r});

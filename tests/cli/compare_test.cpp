@@ -58,7 +58,7 @@ TEST(CompareCommand, StacksWhereAllSidesAreStacked) {
 }
 
 TEST(CompareCommand, SaysLoudlyWhatIsNotAlike) {
-  const std::string one = scene("01-acoustic");
+  const std::string one = scene("01-acoustic") + "+sample.volume.step=0.1";
   for (const char* change : {"+fusion=artemis", "+covariance=posterior"}) {
     const Finished text = run({"compare", one, one + change});
     EXPECT_EQ(text.code, 0);

@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <fstream>
-#include <random>
-#include <thread>
 
 #include "program.h"
+#include "studies.h"
 
 namespace delos::test {
 namespace {
@@ -22,17 +20,6 @@ std::vector<std::string> small(const std::vector<std::string>& more) {
   std::vector<std::string> words = kSmall;
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-/// Wait for something that a running program does, as long as it runs.
-template <class Condition>
-bool reached(Running& program, Condition&& condition) {
-  const auto last = std::chrono::steady_clock::now() + std::chrono::minutes(5);
-  while (!condition()) {
-    if (program.ended() || std::chrono::steady_clock::now() > last) return condition();
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
 }
 
 TEST(Optimize, WritesTheContractsDocument) {
@@ -148,67 +135,6 @@ TEST(Optimize, KeepsTheBestAtCtrlC) {
 }
 
 // ---- studies ----
-
-std::string exported(const std::filesystem::path& file) {
-  const Finished done = run({"study", file.string(), "export"});
-  EXPECT_EQ(done.code, 0) << done.err;
-  return done.out;
-}
-
-Json shown(const std::filesystem::path& file) {
-  return run({"study", file.string(), "show", "--json"}).json();
-}
-
-/// Evaluations that a study keeps of a round, counted from 1; 0 where there is none.
-int evaluations(const std::filesystem::path& file, std::size_t round = 1) {
-  if (!std::filesystem::exists(file)) return 0;
-  const Json rounds = shown(file)["rounds"];
-  return rounds.size() < round ? 0 : rounds[round - 1]["evaluations"].get<int>();
-}
-
-// Killed at any moment, resumed, killed again: in the end the same design, the same
-// history and the same file as if nothing had happened.
-TEST(Study, SurvivesTwentyKills) {
-  const Folder folder;
-  const std::filesystem::path whole = folder.path() / "whole",
-                              killed = folder.path() / "killed";
-  const auto more = [&](const std::filesystem::path& file) {
-    return std::vector<std::string>{"optimize",      scene("10-better-speakers"),
-                                    "--seed",        "7",
-                                    "--evaluations", "1200",
-                                    "--threads",     "2",
-                                    "--json",        "--study",
-                                    file.string()};
-  };
-  const Finished reference = run(more(whole));
-  ASSERT_EQ(reference.code, 0) << reference.err;
-  const int all = evaluations(whole);
-
-  // Each time a little further, by what the file holds, and then some.
-  std::mt19937_64 random(20);
-  std::uniform_int_distribution<int> more_microseconds(0, 5000);
-  for (int kill = 0; kill < 20; ++kill) {
-    const bool begun = std::filesystem::exists(killed);
-    Running program(
-        begun ? std::vector<std::string>{"study", killed.string(), "resume", "--json"}
-              : more(killed));
-    ASSERT_TRUE(reached(program, [&] {
-      return evaluations(killed) >= kill * all / 40;
-    })) << kill;
-    std::this_thread::sleep_for(std::chrono::microseconds(more_microseconds(random)));
-    program.send(SIGKILL);
-    EXPECT_EQ(program.wait().code, 128 + SIGKILL) << kill;
-  }
-  const Finished last = run({"study", killed.string(), "resume", "--json"});
-  ASSERT_EQ(last.code, 0) << last.err;
-  EXPECT_EQ(last.json()["variables"], reference.json()["variables"]);
-  EXPECT_EQ(last.json()["best"], reference.json()["best"]);
-  EXPECT_EQ(exported(killed), exported(whole));
-  // It works twice.
-  EXPECT_EQ(run({"study", killed.string(), "resume", "--json"}).json()["best"],
-            reference.json()["best"]);
-  EXPECT_EQ(exported(killed), exported(whole));
-}
 
 // As one begins: in the scene's own folder, with a body beside it.
 TEST(Study, BeginsInTheScenesOwnFolder) {
