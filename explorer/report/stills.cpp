@@ -78,7 +78,7 @@ Still room_of(const Shown& shown, const ColourRange& range) {
   options.width = kWidth;
   options.height = kHeight;
   options.log10 = range.log10;
-  options.slices = {{}};
+  options.slices.emplace_back();  // the middle layer
   const std::string& name = shown.loaded.scene.name;
   return {"The room, with the middle layer of the samples",
           "The devices of " + name + " in their room, and the field of " +

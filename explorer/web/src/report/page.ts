@@ -1,6 +1,6 @@
 // A report: the explorer's picture with its data frozen, and the document below it.
 import { h, iconButton } from '../dom';
-import { currentTheme, applyTheme, type Theme } from '../theme';
+import { applyTheme, type Theme } from '../theme';
 import { shownOf, type FrozenReport } from './frozen';
 import { FrozenPicture } from './frozenpicture';
 import { paragraph } from './parts';
@@ -17,7 +17,7 @@ function pictureOf(report: FrozenReport, shown: ReturnType<typeof shownOf>, them
 }
 
 export function showReport(root: HTMLElement, report: FrozenReport): void {
-  let theme = currentTheme();
+  let theme: Theme = matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark';
   applyTheme(theme);
   const shown = shownOf(report);
   const { name } = shown.description!;
@@ -29,10 +29,10 @@ export function showReport(root: HTMLElement, report: FrozenReport): void {
     applyTheme(theme);
     picture?.paint(theme);
   };
-  const document_ = report.kind === 'scene' ? sceneDocument(report, shown.field!, stills) : studyDocument(report, shown.pinned!.field, shown.field!, stills);
+  const article = report.kind === 'scene' ? sceneDocument(report, shown.field!, stills) : studyDocument(report, shown.pinned!.field, shown.field!, stills);
   root.append(
     h('header', { className: 'top' }, h('span', { className: 'brand' }, 'Delos'), h('span', { className: 'hint' }, report.file), h('span', { className: 'space' }), iconButton('theme', 'Dark or light', turn)),
-    h('main', {}, h('h1', {}, name), paragraph(report.headline, 'answer'), picture?.element ?? paragraph('This browser draws no WebGL: pictures stand below instead.', 'note'), document_),
+    h('main', {}, h('h1', {}, name), paragraph(report.headline, 'answer'), picture?.element ?? paragraph('This browser draws no WebGL: pictures stand below instead.', 'note'), article),
   );
   picture?.begin();
 }

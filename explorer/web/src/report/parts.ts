@@ -36,7 +36,7 @@ function cellOf(tag: 'td' | 'th', cell: Cell, name: string): HTMLElement {
 /** A table with a caption; the first cell of a row says what it is about. */
 export function table(id: string, caption: string, head: string[], rows: Cell[][]): HTMLElement {
   const numeric = (k: number) => rows.some((row) => isSaid(row[k]!));
-  const names = head.map((name, k) => h('th', { scope: 'col', className: numeric(k) ? 'n' : '' }, name));
+  const names = head.map((name, k) => (name === '' ? h('td') : h('th', { scope: 'col', className: numeric(k) ? 'n' : '' }, name)));
   const body = rows.map((row) => {
     const [first, ...rest] = row as [Cell, ...Cell[]];
     const about = h('th', { scope: 'row' }, isSaid(first) ? first.text : first);
@@ -45,7 +45,7 @@ export function table(id: string, caption: string, head: string[], rows: Cell[][
   return h(
     'div',
     { className: 'wide', role: 'region', 'aria-label': caption.split('.')[0], tabIndex: 0 },
-    h('table', { id }, h('caption', {}, caption), h('thead', {}, h('tr', {}, ...names)), h('tbody', {}, ...body)),
+    h('table', { id }, h('caption', {}, caption), head.some(Boolean) && h('thead', {}, h('tr', {}, ...names)), h('tbody', {}, ...body)),
   );
 }
 

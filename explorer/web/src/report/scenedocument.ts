@@ -93,7 +93,7 @@ export function sceneDocument(report: SceneReport, field: Field, stills: HTMLEle
       listing('Commands', `delos field ${file}\ndelos report ${file} -o report.html`),
       versions(report.versions),
       h('h3', {}, 'The scene, in SI units'),
-      listing('The scene', report.text),
+      listing('Scene file', report.text),
     ),
   );
 }

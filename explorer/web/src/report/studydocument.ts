@@ -128,7 +128,7 @@ export function studyDocument(report: StudyReport, before: Field, after: Field, 
       listing('Commands', report.commands),
       versions(report.versions),
       h('h3', {}, 'The best scene, in SI units'),
-      listing('The best scene', report.text),
+      listing('Scene file', report.text),
     ),
   );
 }

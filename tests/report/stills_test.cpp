@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "report/pictures.h"
+#include "report/stills.h"
 
 namespace delos::report {
 namespace {
@@ -44,41 +44,16 @@ TEST(Change, TakesTheEndWhereOneOfBothIsBlind) {
   const Field before = row({3, 2, kBlind, 5, kBlind}),
               after = row({1, 3, 4, kBlind, kBlind});
   const Change change = change_between(before, after, false);
+  EXPECT_EQ(change.end, 2);  // of the changes −2 and 1
   EXPECT_EQ(change.gained, 1u);
   EXPECT_EQ(change.lost, 1u);
-  EXPECT_EQ(change.colours.low, -change.colours.high);
   EXPECT_EQ(change.field.value[0], -2);
   EXPECT_EQ(change.field.value[1], 1);
-  EXPECT_EQ(change.field.value[2], change.colours.low);   // better: smaller
-  EXPECT_EQ(change.field.value[3], change.colours.high);  // worse
+  EXPECT_EQ(change.field.value[2], -change.end);   // better: smaller
+  EXPECT_EQ(change.field.value[3], change.end);  // worse
   EXPECT_EQ(change.field.value[4], kBlind);
   // The other way round where more is better.
   EXPECT_GT(change_between(before, after, true).field.value[2], 0);
-}
-
-TEST(KeyFigures, AreThoseOfTheFields) {
-  const Field before = row({0.004, 0.004}), after = row({0.002, 0.002});
-  const std::string text =
-      key_figures({&before, &after}, {"before", "after"}, false).str();
-  EXPECT_NE(
-      text.find("<td>mean</td>\n<td class=\"n\">4 mm</td>\n<td class=\"n\">2 mm</td>"),
-      std::string::npos)
-      << text;
-  EXPECT_NE(text.find("<span class=\"good\">−50 %</span>"), std::string::npos) << text;
-}
-
-TEST(MapFigure, DrawsDevicesThatAreNear) {
-  const Field field = row({1, 2, 3});
-  const auto map = field_map(field, {}, common_range({&field}, false));
-  ASSERT_TRUE(map.has_value());
-  EXPECT_EQ(map->image.rfind("data:image/png;base64,iVBORw0KGgo", 0), 0u);
-  EXPECT_EQ(map->samples, 3u);
-  const std::vector<Marker> markers = {
-      {"near <1>", {1, 0.5, 0}, Eigen::Vector3d::UnitX()},
-      {"far", {90, 0, 0}, std::nullopt}};
-  const std::string text = map_figure(*map, markers, markers, "says", "caption").str();
-  EXPECT_NE(text.find("<title>near &lt;1&gt;</title>"), std::string::npos) << text;
-  EXPECT_EQ(text.find("far"), std::string::npos);
 }
 
 }  // namespace

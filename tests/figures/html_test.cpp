@@ -1,14 +1,13 @@
-// Whatever a user wrote stays text, in pages, tables, drawings and titles.
-#include "report/html.h"
+// Whatever a user wrote stays text, in pages, drawings and titles.
+#include "figures/html.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "report/chart.h"
-#include "report/tradeoff_section.h"
+#include "figures/chart.h"
 
-namespace delos::report {
+namespace delos::figures {
 namespace {
 
 const std::string kEvil = "<script>alert(\"1\")</script> & 'so' on";
@@ -39,19 +38,8 @@ TEST(Html, HoldsNoControlCharacters) {
             "b\nc");
 }
 
-TEST(Html, TablesSetNumbersToTheRight) {
-  const std::string text =
-      table(kEvil, {"name", "value"},
-            {{"9 lives", "-3 mm"}, {"-", kEvil}, {"", "1 of them is a long sentence."}})
-          .str();
-  EXPECT_EQ(count(text, "<td class=\"n\">"), 1u) << text;
-  EXPECT_EQ(count(text, "<th class=\"n\">value</th>"), 1u) << text;
-  EXPECT_EQ(count(text, "<script>"), 0u);
-  EXPECT_EQ(count(text, kEscaped), 2u);
-}
-
 TEST(Page, IsWholeAndNeedsNothingElse) {
-  const std::string text = page(kEvil, section(kEvil, element("p", kEvil)));
+  const std::string text = page(kEvil, element("h1", kEvil) + element("p", kEvil));
   EXPECT_EQ(text.rfind("<!DOCTYPE html>\n<html lang=\"en\">", 0), 0u);
   EXPECT_EQ(count(text, kEscaped), 3u);
   for (const char* outside : {"<script", "http://", "https://", "<link", "@import"})
@@ -83,24 +71,5 @@ TEST(Chart, OfOnePointHasAnAxis) {
   EXPECT_EQ(count(text, "inf"), 0u);
 }
 
-TEST(TradeoffSection, RefusesOtherDocuments) {
-  EXPECT_THROW((void)tradeoff_section({{"scene", "x"}}), std::invalid_argument);
-  EXPECT_THROW((void)tradeoff_section(nlohmann::ordered_json::array()),
-               std::invalid_argument);
-}
-
-TEST(TradeoffSection, TellsTheCheapestKit) {
-  const nlohmann::ordered_json document = {
-      {"scene", "x"},
-      {"objective", {{"name", kEvil}, {"unit", "m"}}},
-      {"points",
-       {{{"devices", 3}, {"price", 30}, {"objective", 0.003}, {"kept", false}},
-        {{"devices", 4}, {"price", 40}, {"objective", 0.002}, {"kept", true}}}},
-      {"cheapest", {{"devices", 4}, {"price", 40}}}};
-  const std::string text = tradeoff_section(document).str();
-  EXPECT_NE(text.find("has 4 devices, at a price of 40"), std::string::npos) << text;
-  EXPECT_EQ(count(text, "<script>"), 0u);
-}
-
 }  // namespace
-}  // namespace delos::report
+}  // namespace delos::figures
