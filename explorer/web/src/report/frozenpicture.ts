@@ -61,6 +61,7 @@ export class FrozenPicture {
     stage.canvas.addEventListener('focus', () => (stage.orbit.enableZoom = true));
     stage.canvas.addEventListener('blur', () => (stage.orbit.enableZoom = false));
     listenForClicks(this.picture, { pressed: () => stage.canvas.focus({ preventScroll: true }), device: (name) => this.select(name), place: () => {} });
+    this.compare.element.hidden = shown.pinned === null;
     this.element = this.laidOut();
     this.devices.show(shown.description!, null);
     if (worth) this.devices.value(worth);
@@ -90,13 +91,13 @@ export class FrozenPicture {
       h('h2', {}, 'View'),
       this.slices.element,
       h('div', { className: 'checks' }, ...toggles),
-      details('Colours', true, this.colouring.element),
+      details('Colours', false, this.colouring.element),
       ...(shown.lattice ? [details('Uncertainty', false, this.uncertainty.element)] : []),
     );
     return h(
       'section',
       { className: 'interactive', 'aria-label': 'Picture' },
-      h('aside', { 'aria-label': 'Devices and view' }, this.devices.element, view),
+      h('div', { className: 'side' }, this.devices.element, view),
       h(
         'div',
         { className: 'middle' },
@@ -106,7 +107,7 @@ export class FrozenPicture {
         this.bar.element,
         h('div', { className: 'bottom-left' }, this.floor),
       ),
-      h('aside', { 'aria-label': 'Chosen device' }, this.chosen.element),
+      h('div', { className: 'side' }, this.chosen.element),
     );
   }
 

@@ -80,7 +80,7 @@ function blindRegions({ blind }: SceneReport): HTMLElement[] {
 
 export function sceneDocument(report: SceneReport, field: Field, stills: HTMLElement): HTMLElement {
   const file = quoted(report.file);
-  const drawn = field.values.length < field.summary.samples ? paragraph(`The picture has ${field.values.length} samples; the figures are of all.`, 'note') : null;
+  const drawn = field.values.length < field.summary.samples ? paragraph(`The picture is of ${field.values.length} samples; the figures are of all.`, 'note') : null;
   return h(
     'article',
     {},
