@@ -6,14 +6,14 @@
 #include <iostream>
 
 #include "delos/rigid_body/comparison.h"
-#include "report/chart.h"
+#include "figures/chart.h"
 
 namespace {
 
 using namespace delos::rigid_body;
-using delos::report::Chart;
-using delos::report::Series;
-using delos::report::Stroke;
+using delos::figures::Chart;
+using delos::figures::Series;
+using delos::figures::Stroke;
 
 constexpr double kLag = 1 / 30., kSeconds = 10;
 constexpr int kTuningRuns = 3, kRuns = 8;
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     for (char& c : name)
       if (c == ' ' || c == ',') c = '-';
     std::ofstream(folder / ("rigid-body-" + name + ".svg"))
-        << delos::report::chart_drawing(chart).str() << "\n";
+        << delos::figures::chart_drawing(chart).str() << "\n";
   }
   std::printf("\n%zu frames without a pose\n", lost);
 }

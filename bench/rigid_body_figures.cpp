@@ -4,14 +4,14 @@
 #include <iostream>
 
 #include "delos/rigid_body/experiments.h"
-#include "report/chart.h"
+#include "figures/chart.h"
 
 namespace {
 
 using namespace delos::rigid_body;
-using delos::report::Chart;
-using delos::report::Series;
-using delos::report::Stroke;
+using delos::figures::Chart;
+using delos::figures::Series;
+using delos::figures::Stroke;
 
 /// One of the three vectors of a state, axis by axis: filtered, and true as steps.
 Chart chart_of(const char* what, const char* unit, Eigen::Vector3d BodyState::*part,
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   const auto write = [&](const std::string& name, const Chart& chart) {
-    std::ofstream(folder / name) << delos::report::chart_drawing(chart).str() << "\n";
+    std::ofstream(folder / name) << delos::figures::chart_drawing(chart).str() << "\n";
   };
   const Experiment steady = steady_motion(10), shake = shaken(steady, {}, 1),
                    turn = sudden_turn(18);

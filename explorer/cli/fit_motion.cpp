@@ -11,7 +11,7 @@
 #include "delos/text/words.h"
 #include "json.h"
 #include "quantity.h"
-#include "report/chart.h"
+#include "figures/chart.h"
 #include "session/motion_json.h"
 #include "session/written_field.h"
 #include "summary.h"
@@ -113,7 +113,7 @@ void print(std::ostream& out, const std::vector<Segment>& segments,
 /// A page with the way along each axis, cut where the motion changes.
 std::string page_of(const Track& track, double period,
                     const std::vector<Segment>& segments, const std::string& source) {
-  report::Chart chart;
+  figures::Chart chart;
   chart.says = "where '" + track.name + "' was, along each axis";
   chart.x_name = "time";
   chart.x_unit = "s";
@@ -124,7 +124,7 @@ std::string page_of(const Track& track, double period,
   const Eigen::Index stride = std::max<Eigen::Index>(1, track.at.rows() / kMost);
   const double from = segments.front().from, to = segments.back().to;
   for (int axis = 0; axis < 3; ++axis) {
-    report::Series series{std::string(1, "xyz"[axis]), report::Stroke::curve, {}};
+    figures::Series series{std::string(1, "xyz"[axis]), figures::Stroke::curve, {}};
     double first = NAN;
     for (Eigen::Index i = 0; i < track.at.rows(); i += stride) {
       const double time = period * static_cast<double>(i), at = track.at(i, axis);
@@ -137,7 +137,7 @@ std::string page_of(const Track& track, double period,
   for (const Segment& s : segments)
     chart.marks.push_back(
         {s.from, std::string(kShort[s.fit.best]) + ", " + verdict(s.fit)});
-  return report::page(source, report::chart_figure(chart, source + ", " + track.name));
+  return figures::page(source, figures::chart_figure(chart, source + ", " + track.name));
 }
 
 int run(const FitMotionCommand& command) {

@@ -10,7 +10,7 @@
 #include "delos/text/units.h"
 #include "delos/text/words.h"
 #include "imports/opening.h"
-#include "report/rig_figure.h"
+#include "figures/rig_figure.h"
 #include "session/written_field.h"
 #include "summary.h"
 
@@ -122,7 +122,7 @@ int run(const ImportCommand& command) {
   const LoadedScene loaded = built(text, scene, plugins);
   print_found(*rig, command, loaded);
   if (!command.picture.empty())
-    write_or_fail(command.picture, report::rig_figure(loaded.scene, loaded.system));
+    write_or_fail(command.picture, figures::rig_figure(loaded.scene, loaded.system));
   if (!command.out.empty()) {
     write_or_fail(command.out, text);
     std::cout << "next:    delos field " << command.out.string() << "\n";

@@ -11,7 +11,7 @@
 #include "delos/text/units.h"
 #include "json.h"
 #include "quantity.h"
-#include "report/chart.h"
+#include "figures/chart.h"
 #include "session/written_field.h"
 #include "summary.h"
 
@@ -140,11 +140,11 @@ void print(std::ostream& out, const SampleTimeAnswer& answer,
         << "\n";
 }
 
-report::Series series(const std::string& name, const std::vector<double>& times,
+figures::Series series(const std::string& name, const std::vector<double>& times,
                       const std::vector<double>& values) {
   constexpr std::size_t kFew = 30;
-  report::Series out{
-      name, times.size() <= kFew ? report::Stroke::line : report::Stroke::curve, {}};
+  figures::Series out{
+      name, times.size() <= kFew ? figures::Stroke::line : figures::Stroke::curve, {}};
   for (std::size_t i = 0; i < times.size(); ++i)
     if (std::isfinite(values[i]) && values[i] > 0)
       out.points.push_back({times[i], values[i]});
@@ -154,14 +154,14 @@ report::Series series(const std::string& name, const std::vector<double>& times,
 /// A page with the curves of every row, and that of P∞.
 std::string page_of(const std::vector<SampleTimeAnswer>& answers,
                     const LoadedScene& loaded) {
-  report::Html body;
+  figures::Html body;
   for (const SampleTimeAnswer& answer : answers) {
     const std::vector<double>& times = answer.question.times;
     const std::string at = "(" + format_quantity(answer.at.x(), "m") + ", " +
                            format_quantity(answer.at.y(), "m") + ", " +
                            format_quantity(answer.at.z(), "m") + ")";
     for (const SampleTimeRow& row : answer.rows) {
-      report::Chart chart;
+      figures::Chart chart;
       chart.says = "noise, motion and their sum by the sample time of " + row.device;
       chart.x_name = "sample time";
       chart.x_unit = "s";
@@ -172,9 +172,9 @@ std::string page_of(const std::vector<SampleTimeAnswer>& answers,
       if (row.crossover)
         chart.marks.push_back(
             {*row.crossover, "crossover " + format_quantity(*row.crossover, "s")});
-      body += report::chart_figure(chart, row_name(row) + " at " + at);
+      body += figures::chart_figure(chart, row_name(row) + " at " + at);
     }
-    report::Chart chart;
+    figures::Chart chart;
     chart.says = "the metric of P∞ by the sample time";
     chart.x_name = "sample time";
     chart.x_unit = "s";
@@ -183,9 +183,9 @@ std::string page_of(const std::vector<SampleTimeAnswer>& answers,
     chart.series = {series(loaded.metric.name + " of P∞", times, answer.metric)};
     if (chart.series[0].points.empty()) continue;
     chart.marks.push_back({answer.best, "best " + format_quantity(answer.best, "s")});
-    body += report::chart_figure(chart, "P∞ with all of them at " + at);
+    body += figures::chart_figure(chart, "P∞ with all of them at " + at);
   }
-  return report::page(loaded.scene.name + ": sample times", body);
+  return figures::page(loaded.scene.name + ": sample times", body);
 }
 
 int run(const SampleTimeCommand& command) {

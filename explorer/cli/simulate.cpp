@@ -12,7 +12,7 @@
 #include "delos/text/words.h"
 #include "evaluation.h"
 #include "json.h"
-#include "report/simulation_chart.h"
+#include "figures/simulation_chart.h"
 #include "session/joined_crew.h"
 #include "session/kept_simulation.h"
 #include "session/named.h"
@@ -194,7 +194,7 @@ void write_out(const SimulateCommand& command, const SimulationAnswer& answer,
   const std::string text =
       command.out.extension() == ".csv"
           ? session::instants_csv(*answer.simulation, loaded)
-          : report::simulation_chart(*answer.simulation, loaded.system.motion.layout);
+          : figures::simulation_chart(*answer.simulation, loaded.system.motion.layout);
   if (const std::string problem = write_text(command.out, text); !problem.empty())
     throw Failure{kDiagnostics, problem};
 }

@@ -1,6 +1,7 @@
 #include "output/base64.h"
 
 #include <ostream>
+#include <sstream>
 
 namespace delos {
 
@@ -23,6 +24,14 @@ void Base64Stream::emit() {
   out_.write(text, 4);
   group_ = 0;
   bytes_ = 0;
+}
+
+std::string base64_of(std::string_view bytes) {
+  std::ostringstream text;
+  Base64Stream stream(text);
+  for (const char byte : bytes) stream.add(static_cast<unsigned char>(byte));
+  stream.finish();
+  return text.str();
 }
 
 }  // namespace delos

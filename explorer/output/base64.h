@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace delos {
@@ -32,5 +34,8 @@ class Base64Stream {
   std::uint32_t group_ = 0;  ///< up to three bytes, the first one highest
   int bytes_ = 0;            ///< how many of them
 };
+
+/// Bytes in base64, in one piece.
+[[nodiscard]] std::string base64_of(std::string_view bytes);
 
 }  // namespace delos

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace delos {
 
@@ -30,6 +31,7 @@ ColourScale make_scale(const Slice& slice, const PictureOptions& options) {
   scale.change = options.change;
   scale.log10 = options.log10 && !options.change && widen(true);
   if (!scale.log10) widen(false);
+  if (options.range) std::tie(scale.low, scale.high) = *options.range;
 
   // Differences in the last digits are rounding, and colours would make them a
   // landscape.

@@ -28,8 +28,9 @@ struct ColourScale {
   }
 };
 
-/// The scale that just holds the slice's finite values. log10 asks for positive ones:
-/// the others go to the low end, and where there are none the scale is linear.
+/// The scale that just holds the slice's finite values, or the range asked for. log10
+/// asks for positive ones: the others go to the low end, and where there are none the
+/// scale is linear.
 [[nodiscard]] ColourScale make_scale(const Slice& slice, const PictureOptions& options);
 
 /// What fills a spot of a picture.

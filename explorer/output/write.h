@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "delos/field/field.h"
@@ -22,6 +23,9 @@ struct PictureOptions {
   bool larger_is_better = false;  ///< turns the colours round: bright is always good
   /// Values are changes of a metric: blue is better, white none, red worse.
   bool change = false;
+  /// What the colours run over, SI, where several pictures share them; by default what
+  /// the slice has.
+  std::optional<std::pair<double, double>> range;
   std::vector<Marker> devices;  ///< to draw where they are near the slice
 };
 

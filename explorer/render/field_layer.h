@@ -1,7 +1,7 @@
 // The field in a picture: layers of grids, planes, surfaces, points, and isosurfaces.
 #pragma once
 
-#include "output/map.h"
+#include "output/colour_range.h"
 #include "render/ground.h"
 #include "render/picture.h"
 

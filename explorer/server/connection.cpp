@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "bundle/page_file.h"
 #include "server/guard.h"
-#include "server/page.h"
 #include "server/watch.h"
 
 namespace delos::server {
@@ -55,7 +55,7 @@ asio::awaitable<Reply> answer(const Request& request, Api& api) {
   constexpr std::string_view kApi = "/api/";
   if (request.method() == http::verb::get) {
     if (target == "/api/scenes") co_return api.scenes();
-    if (const std::optional<PageFile> file = page_file(target))
+    if (const std::optional<bundle::PageFile> file = bundle::page_file(target))
       co_return Reply{Status::ok, std::string(file->type), std::string(file->bytes)};
     co_return refusal(Status::not_found, "there is nothing of this name");
   }

@@ -11,7 +11,7 @@ Reply describe(const Work& work) {
 }
 
 Reply around(const Work& work) {
-  return json_reply(session::surroundings(work.visitor.design));
+  return json_reply(session::surroundings(work.visitor.design.loaded().scene));
 }
 
 Reply text(const Work& work) {

@@ -36,7 +36,7 @@ std::string why(const BlindRegion& region) {
 
 Json blind_json(const LoadedScene& loaded, const Field& field, std::size_t most) {
   const auto regions = blind_regions(loaded.system, loaded.scene.orientations, field);
-  Json json{{"samples", 0}, {"regions", Json::array()}};
+  Json json{{"samples", 0}, {"count", regions.size()}, {"regions", Json::array()}};
   std::size_t all = 0;
   for (const BlindRegion& region : regions) {
     all += region.samples.size();

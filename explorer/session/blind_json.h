@@ -7,9 +7,9 @@
 
 namespace delos::session {
 
-/// {samples, regions: [{samples, unseen, least_lost, most_lost, box: {min, max}, why,
-/// views: [{device, sees, hidden, beyond}]}]}, the largest first.
-/// @param most regions that are told; `samples` counts those of all
+/// {samples, count, regions: [{samples, unseen, least_lost, most_lost, box: {min, max},
+/// why, views: [{device, sees, hidden, beyond}]}]}, the largest first.
+/// @param most regions that are told; `samples` and `count` are of all
 [[nodiscard]] Json blind_json(const LoadedScene& loaded, const Field& field,
                               std::size_t most);
 

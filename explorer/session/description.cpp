@@ -108,14 +108,18 @@ Eigen::AlignedBox3d room_box(const LoadedScene& loaded) {
 }
 
 Json description(const Design& design, std::size_t revision, PluginRegistry& plugins) {
-  const LoadedScene& loaded = design.loaded();
+  Json json{{"revision", revision},
+            {"undo", design.history().undoable()},
+            {"redo", design.history().redoable()}};
+  json.update(description(design.loaded(), plugins));
+  return json;
+}
+
+Json description(const LoadedScene& loaded, PluginRegistry& plugins) {
   const Eigen::AlignedBox3d samples = sample_box(loaded.scene), room = room_box(loaded);
   const double reach = samples.isEmpty() ? 1 : room.diagonal().norm();
   Outlines outlines(reach > 0 ? reach / 4 : 1);
-  Json json{{"revision", revision},
-            {"undo", design.history().undoable()},
-            {"redo", design.history().redoable()},
-            {"name", loaded.scene.name},
+  Json json{{"name", loaded.scene.name},
             {"metric",
              {{"name", loaded.metric.name},
               {"unit", loaded.metric.unit},
@@ -136,8 +140,7 @@ Json description(const Design& design, std::size_t revision, PluginRegistry& plu
   return json;
 }
 
-Json surroundings(const Design& design) {
-  const Scene& scene = design.loaded().scene;
+Json surroundings(const Scene& scene) {
   Json json{{"occluders", Json::array()}, {"beacons", Json::array()}};
   for (const OccluderEntry& entry : all_occluders(scene))
     json["occluders"].push_back(body_json(entry));

@@ -18,6 +18,8 @@ namespace delos::session {
 /// that in the world, of what stands there; an outline is view_outline().
 [[nodiscard]] Json description(const Design& design, std::size_t revision,
                                PluginRegistry& plugins);
+/// The same of what has no history.
+[[nodiscard]] Json description(const LoadedScene& loaded, PluginRegistry& plugins);
 
 /// What devices see by or are hidden by:
 ///
@@ -26,7 +28,7 @@ namespace delos::session {
 ///    beacons: [[x, y, z], …]}
 ///
 /// Occluders are placed in the world, carried ones in the target's frame.
-[[nodiscard]] Json surroundings(const Design& design);
+[[nodiscard]] Json surroundings(const Scene& scene);
 
 /// Around all samples, metres.
 [[nodiscard]] Eigen::AlignedBox3d sample_box(const Scene& scene);

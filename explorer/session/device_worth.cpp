@@ -12,6 +12,8 @@ DeviceWorth worth_of(const Field& with, const Field& without) {
   double sum_with = 0, sum_without = 0;
   std::size_t common = 0;
   for (std::size_t i = 0; i < with.value.size(); ++i) {
+    if (!with.inside.empty() && with.inside[i] != 0) continue;
+    worth.lost += with.observable[i] != 0 && without.observable[i] == 0;
     if (!std::isfinite(with.value[i])) continue;
     if (!std::isfinite(without.value[i])) {
       ++worth.blinded;
@@ -51,8 +53,10 @@ std::vector<DeviceWorth> device_worth(const LoadedScene& loaded, const Samples& 
 Json worth_json(const std::vector<DeviceWorth>& worth, const Samples& samples) {
   Json json{{"samples", samples.points.size()}, {"devices", Json::array()}};
   for (const DeviceWorth& w : worth)
-    json["devices"].push_back(
-        {{"name", w.name}, {"blinded", w.blinded}, {"rise", number(w.rise)}});
+    json["devices"].push_back({{"name", w.name},
+                               {"blinded", w.blinded},
+                               {"lost", w.lost},
+                               {"rise", number(w.rise)}});
   return json;
 }
 

@@ -14,6 +14,8 @@ struct DeviceWorth {
   std::string name;
   /// Samples where the metric is finite, and wouldn't be without this device alone.
   std::size_t blinded = 0;
+  /// Samples that wouldn't be observable any more.
+  std::size_t lost = 0;
   /// Relative rise of the mean metric's loss without it, over the samples where it
   /// stays finite, as DeviceShare::share; NaN where there is none.
   double rise = 0;
@@ -27,7 +29,7 @@ struct DeviceWorth {
                                                     const Samples& samples,
                                                     const FieldOptions& options);
 
-/// {samples, devices: [{name, blinded, rise}]}
+/// {samples, devices: [{name, blinded, lost, rise}]}
 [[nodiscard]] Json worth_json(const std::vector<DeviceWorth>& worth,
                               const Samples& samples);
 

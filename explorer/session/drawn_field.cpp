@@ -167,7 +167,11 @@ DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
     drawn.mask = drawn_as(drawn.field);
     return drawn;
   }
-  Evaluation evaluation = evaluate_scene(loaded, options);
+  return drawn_of(loaded, evaluate_scene(loaded, options));
+}
+
+DrawnField drawn_of(const LoadedScene& loaded, Evaluation evaluation) {
+  DrawnField drawn;
   drawn.summary = field_answer(loaded, evaluation.field);
   drawn.field = std::move(evaluation.field);
   if (evaluation.octree)

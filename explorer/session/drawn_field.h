@@ -32,6 +32,9 @@ struct DrawnField {
 [[nodiscard]] DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
                                     const FieldOptions& options);
 
+/// A scene's field as it is drawn: an octree on a grid.
+[[nodiscard]] DrawnField drawn_of(const LoadedScene& loaded, Evaluation evaluation);
+
 /// The same sets with about `most` samples or fewer, where they are grids; adaptive
 /// ones become grids.
 [[nodiscard]] std::vector<SampleSet> coarser(std::vector<SampleSet> sets,

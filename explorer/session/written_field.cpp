@@ -62,16 +62,6 @@ std::string missed_by_slice(const Scene& scene, const Samples& samples, double z
          format_quantity(greatest, "m");
 }
 
-std::vector<Samples> level_planes(const Scene& scene) {
-  const AdaptiveSampling* box = adaptive_sampling(scene);
-  if (!box) return {};
-  std::vector<Samples> planes;  // at whole millimetres
-  for (const double at : {1 / 6.0, 3 / 6.0, 5 / 6.0})
-    planes.push_back(level_plane(
-        *box, std::round(1e3 * std::lerp(box->min.z(), box->max.z(), at)) / 1e3));
-  return planes;
-}
-
 bool is_scene(const std::filesystem::path& file) {
   const std::string suffix = file.extension().string();
   return suffix == ".yaml" || suffix == ".yml";

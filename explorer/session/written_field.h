@@ -18,9 +18,6 @@ namespace delos::session {
 [[nodiscard]] std::string missed_by_slice(const Scene& scene, const Samples& samples,
                                           double z);
 
-/// Of an adaptive scene, three level planes to draw it on; else none.
-[[nodiscard]] std::vector<Samples> level_planes(const Scene& scene);
-
 /// Whether a file to be written is a scene, by its name.
 [[nodiscard]] bool is_scene(const std::filesystem::path& file);
 

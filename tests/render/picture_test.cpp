@@ -8,7 +8,7 @@
 
 #include "delos/geometry/occluders.h"
 #include "delos/scene/clutter.h"
-#include "output/map.h"
+#include "output/colour_range.h"
 #include "session/refusal.h"
 
 namespace delos::render {

@@ -24,9 +24,11 @@ void expect_as_without(const Design& design) {
   for (std::size_t i = 0; i < worth.size(); ++i) {
     EXPECT_EQ(worth[i].name, loaded.scene.devices[i].name);
     const Field less = without(loaded, i, samples);
-    std::size_t blinded = 0;
+    std::size_t blinded = 0, lost = 0;
     double a = 0, b = 0;
     for (std::size_t k = 0; k < with.value.size(); ++k) {
+      if (!with.inside.empty() && with.inside[k]) continue;
+      lost += with.observable[k] && !less.observable[k];
       if (!std::isfinite(with.value[k])) continue;
       if (!std::isfinite(less.value[k])) {
         ++blinded;
@@ -36,6 +38,7 @@ void expect_as_without(const Design& design) {
       b += less.value[k];
     }
     EXPECT_EQ(worth[i].blinded, blinded);
+    EXPECT_EQ(worth[i].lost, lost);
     EXPECT_NEAR(worth[i].rise, (with.larger_is_better ? -1 : 1) * (b / a - 1), 1e-9);
   }
 }

@@ -52,6 +52,7 @@ export interface Summary {
   samples: number;
   observable: number;
   finite: number;
+  one_short?: number;
   inside?: number;
   min: Extreme | null;
   max: Extreme | null;

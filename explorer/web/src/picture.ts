@@ -76,7 +76,8 @@ export class Picture {
   constructor(
     host: HTMLElement,
     private readonly viewing: Viewing,
-    place: Place,
+    /** Null: nothing can be moved. */
+    private readonly place: Place | null,
     dropped: () => void,
   ) {
     this.stage = new Stage(host);
@@ -85,7 +86,7 @@ export class Picture {
     this.baseline.visible = false;
     this.stage.scene.add(this.room.group, this.design, this.baseline);
     this.stage.through(this.fieldView.volume, this.baselineView.volume);
-    this.gizmo = new Gizmo(this.stage, this.design, place, dropped);
+    this.gizmo = new Gizmo(this.stage, this.design, place ?? (() => {}), dropped);
   }
 
   /** Metres between the lines of the floor. */
@@ -108,7 +109,7 @@ export class Picture {
     this.icons.show(description, { selected, frusta, labels }, colours);
     if (pinned) this.baselineIcons.show(pinned.description, { selected: null, frusta, labels: false }, colours);
     const device = description.devices.find((d) => d.name === selected);
-    this.gizmo.hold(device?.surface || this.stage.eye.asDevice ? null : this.icons.find(selected));
+    this.gizmo.hold(!this.place || device?.surface || this.stage.eye.asDevice ? null : this.icons.find(selected));
   }
 
   drawProbe({ asked, report, description }: Shown, colours: Drawing): void {

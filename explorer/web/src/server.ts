@@ -123,7 +123,7 @@ export interface Palette {
 
 export interface Worth {
   samples: number;
-  devices: { name: string; blinded: number; rise: number | null }[];
+  devices: { name: string; blinded: number; lost: number; rise: number | null }[];
 }
 
 export interface SceneList {

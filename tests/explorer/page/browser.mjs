@@ -48,15 +48,15 @@ const flags = [
   '--disable-dev-shm-usage',
 ];
 
-/** Open the page, let `steps` drive it, and end everything.
- * @returns the server's exit code and what the page complained of */
-export async function drive(words, steps) {
+/** Let `steps` drive a page in a browser of its own.
+ * @param options of the browser, besides
+ * @returns what the page complained of, and which addresses it asked for */
+async function inBrowser(address, steps, options = {}) {
   mkdirSync(pictures, { recursive: true });
   const profile = mkdtempSync(join(tmpdir(), 'delos-browser-'));
-  const server = await serve(words);
   const complaints = [];
+  const asked = [];
   let browser;
-  let code;
   try {
     browser = await chromium.launchPersistentContext(profile, {
       executablePath: '/usr/bin/chromium',
@@ -65,6 +65,7 @@ export async function drive(words, steps) {
       viewport: { width: 1280, height: 720 },
       colorScheme: 'dark',
       acceptDownloads: true,
+      ...options,
     });
     const page = browser.pages()[0] ?? (await browser.newPage());
     page.setDefaultTimeout(40_000);
@@ -72,12 +73,29 @@ export async function drive(words, steps) {
       if (m.type() === 'error') complaints.push(m.text());
     });
     page.on('pageerror', (error) => complaints.push(String(error.stack)));
-    await page.goto(server.address);
+    page.on('request', (request) => asked.push(request.url()));
+    await page.goto(address);
     await steps(page);
   } finally {
     await browser?.close();
-    code = await server.end();
     rmSync(profile, { recursive: true, force: true });
+  }
+  return { complaints, asked };
+}
+
+/** Open a file. */
+export const openFile = inBrowser;
+
+/** Open the page of a server, let `steps` drive it, and end everything.
+ * @returns the server's exit code and what the page complained of */
+export async function drive(words, steps) {
+  const server = await serve(words);
+  let code;
+  let complaints;
+  try {
+    ({ complaints } = await inBrowser(server.address, steps));
+  } finally {
+    code = await server.end();
   }
   return { code, complaints };
 }

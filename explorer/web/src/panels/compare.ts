@@ -21,9 +21,10 @@ export class ComparePanel {
   constructor(
     private readonly viewing: Viewing,
     changed: () => void,
-    pin: (pinned: boolean) => void,
+    /** Null: what is compared with stays. */
+    pin: ((pinned: boolean) => void) | null,
   ) {
-    this.pin = h('button', { type: 'button', id: 'pin', title: 'Keep this design to compare with (P)', onclick: () => pin(!this.pinned) }, 'Pin');
+    this.pin = h('button', { type: 'button', id: 'pin', title: 'Keep this design to compare with (P)', hidden: !pin, onclick: () => pin?.(!this.pinned) }, 'Pin');
     this.buttons = modes.map(([mode, text, title]) =>
       h(
         'button',
@@ -57,7 +58,7 @@ export class ComparePanel {
     const number = (name: string, value: number | null | undefined, text: string) =>
       h('span', { 'data-difference': name, 'data-value': value ?? '' }, `${name} `, h('b', {}, text));
     this.words.replaceChildren(
-      'against what is pinned: ',
+      this.pin.hidden ? 'against the design before: ' : 'against what is pinned: ',
       number('mean', mean, signed(mean)),
       ...(min && max ? [' from ', number('least', min.value, signed(min.value)), ' to ', number('greatest', max.value, signed(max.value))] : []),
       ', ',

@@ -33,7 +33,8 @@ export class Devices {
 
   constructor(
     private readonly select: (name: string | null) => void,
-    add: () => void,
+    /** Null: none can be added. */
+    add: (() => void) | null,
   ) {
     this.element = h(
       'section',
@@ -42,7 +43,7 @@ export class Devices {
         'header',
         {},
         h('h2', {}, 'Devices'),
-        h('button', { type: 'button', id: 'add-device', title: 'Add a device (A)', onclick: add }, 'Add…'),
+        add && h('button', { type: 'button', id: 'add-device', title: 'Add a device (A)', onclick: add }, 'Add…'),
       ),
       this.verdict,
       this.list,
@@ -65,6 +66,11 @@ export class Devices {
     this.worth = worth;
     this.element.dataset.stale = 'false';
     this.render();
+  }
+
+  /** Nobody has weighed them. */
+  unweighed(): void {
+    this.verdict.hidden = true;
   }
 
   /** Something has changed: what stands there is of before, until it is worked out anew. */

@@ -3,15 +3,14 @@ import { quantity } from '../quantity';
 import type { Looked, Round, ValueSearch } from '../searches';
 import { figure, note, rounded, svg, type Frame } from './plot';
 
-const size = { width: 220, height: 130 };
+const small = { width: 220, height: 130 };
 const inner = { left: 8, right: 8, top: 8, bottom: 24 };
 /** Names of more axes than these would cover each other. */
 const mostNames = 6;
 
 const short = (path: string) => path.replace(/^devices\./, '').replace('.params.', '.');
 
-function line(design: Looked, round: Round, className: string, across: (k: number) => number): SVGPathElement {
-  const { height } = size;
+function line(design: Looked, round: Round, className: string, height: number, across: (k: number) => number): SVGPathElement {
   const d = design.values.map((value, k) => {
     const [low, high] = [round.lower[k]!, round.upper[k]!];
     const v = value ?? low;
@@ -23,7 +22,7 @@ function line(design: Looked, round: Round, className: string, across: (k: numbe
 
 /** Designs of the last round: all faint, those that were the best of their time clearer, the best
  * of all strong. */
-export function parallelCoordinates(search: ValueSearch, unitOf: (path: string) => string): SVGSVGElement | null {
+export function parallelCoordinates(search: Pick<ValueSearch, 'rounds' | 'incumbents' | 'designs'>, unitOf: (path: string) => string, size = small): SVGSVGElement | null {
   const round = search.rounds[search.rounds.length - 1];
   if (!round) return null;
   const n = round.variables.length;
@@ -36,8 +35,8 @@ export function parallelCoordinates(search: ValueSearch, unitOf: (path: string) 
   const own = <T extends Looked>(all: T[]) => all.filter((d) => d.round === round.round);
   const incumbents = own(search.incumbents);
   const lines = [
-    ...own(search.designs).map((d) => line(d, round, d.feasible ? 'looked' : 'missed', across)),
-    ...incumbents.map((d, k) => line(d, round, k === incumbents.length - 1 ? 'best' : 'incumbent', across)),
+    ...own(search.designs).map((d) => line(d, round, d.feasible ? 'looked' : 'missed', height, across)),
+    ...incumbents.map((d, k) => line(d, round, k === incumbents.length - 1 ? 'best' : 'incumbent', height, across)),
   ];
   const names = n > mostNames ? [] : round.variables.map((path, k) => note(across(k), height - (k % 2 ? 3 : 13), short(path), k === 0 ? 'start' : k === n - 1 ? 'end' : 'middle'));
   const frame: Frame = { ...size, x: [0, 1], y: [0, 1] };

@@ -3,10 +3,10 @@ import { quantity } from '../quantity';
 import type { Selection, ValueSearch } from '../searches';
 import { ends, figure, note, placed, steps, svg, type Frame } from './plot';
 
-const size = { width: 220, height: 110 };
+const small = { width: 220, height: 110 };
 
 /** Incumbents of each round as steps, every evaluation as a dot: faint where edges are soft. */
-export function searchCurve(search: ValueSearch): SVGSVGElement {
+export function searchCurve(search: Pick<ValueSearch, 'objective' | 'incumbents' | 'designs' | 'evaluations' | 'best'>, size = small): SVGSVGElement {
   const { objective, incumbents, designs, evaluations } = search;
   const last = incumbents[incumbents.length - 1]?.round ?? 0;
   const values = incumbents.map((i) => i.objective ?? NaN);
@@ -33,7 +33,7 @@ export function boundCurve(selection: Selection): SVGSVGElement {
   const { curve, unit } = selection;
   const end = curve[curve.length - 1];
   const frame: Frame = {
-    ...size,
+    ...small,
     x: [0, Math.max(0.1, end?.seconds ?? 0)],
     y: ends(curve.flatMap((p) => [p.value ?? NaN, p.bound ?? NaN])),
   };

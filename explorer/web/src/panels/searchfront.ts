@@ -5,7 +5,27 @@ import type { Front } from '../searches';
 import type { Task } from '../searching';
 import { ends, figure, note, placed, svg, type Frame } from './plot';
 
-const size = { width: 220, height: 110 };
+const small = { width: 220, height: 110 };
+
+type Named = { name: string; unit: string };
+
+/** The best objective at each limit. @param x what is used of the limit, or the limit itself */
+export function frontFigure(
+  points: { x: number; objective: number; kept: boolean; dominated: boolean }[],
+  objective: Named,
+  across: Named,
+  size: { width: number; height: number },
+): { figure: SVGSVGElement; circles: SVGCircleElement[] } {
+  const frame: Frame = { ...size, x: ends(points.map((p) => p.x)), y: ends(points.map((p) => p.objective)) };
+  const circles = points.map((p) => {
+    const [cx, cy] = placed(frame, [p.x, p.objective]);
+    return svg('circle', { cx, cy, r: 4, class: !p.kept ? 'missed point' : p.dominated ? 'looked point' : 'best point' });
+  });
+  const words = points.map((p) => `${quantity(p.x, across.unit)}: ${quantity(p.objective, objective.unit)}`);
+  const label = `${objective.name} against ${across.name}: ${words.join('; ')}`;
+  const notes = [note(4, 10, quantity(frame.y[1], objective.unit)), note(size.width - 4, size.height - 3, `${across.name} ${quantity(frame.x[1], across.unit)}`, 'end')];
+  return { figure: figure(frame, label, ...circles, ...notes), circles };
+}
 
 export interface FrontActions {
   start: (body: { constraint: string; from: number; to: number; levels: number }) => void;
@@ -71,17 +91,12 @@ export class SearchFront {
   private drawn({ search, front, done, of, phase }: Front): Node[] {
     if (!front) return [h('p', { className: 'hint', role: 'status' }, phase === 'running' ? `search ${done + 1} of ${of}` : '')];
     const { points, objective, limit } = front;
-    const there = points.map((p, k) => ({ ...p, k })).filter((p) => p.objective !== null);
-    const frame: Frame = { ...size, x: ends(there.map((p) => p.used)), y: ends(there.map((p) => p.objective!)) };
-    const circles = there.map((p) => {
-      const [cx, cy] = placed(frame, [p.used, p.objective!]);
-      const circle = svg('circle', { cx, cy, r: 4, class: !p.kept ? 'missed point' : p.dominated ? 'looked point' : 'best point' });
-      circle.addEventListener('click', () => this.actions.reinstate(search, p.k));
-      return circle;
-    });
+    const there = points.map((p, k) => ({ ...p, k, x: p.used })).filter((p) => p.objective !== null);
+    const drawn = frontFigure(there.map((p) => ({ ...p, objective: p.objective! })), objective, { name: limit.constraint, unit: limit.unit }, small);
+    drawn.circles.forEach((circle, k) => circle.addEventListener('click', () => this.actions.reinstate(search, there[k]!.k)));
     const words = (p: (typeof there)[number]) => `${quantity(p.used, limit.unit)}: ${quantity(p.objective, objective.unit)}`;
     return [
-      figure(frame, `${objective.name} against ${limit.constraint}: ${there.map(words).join('; ')}`, ...circles, note(4, 10, quantity(frame.y[1], objective.unit)), note(size.width - 4, size.height - 3, `${limit.constraint} ${quantity(frame.x[1], limit.unit)}`, 'end')),
+      drawn.figure,
       h(
         'div',
         { className: 'incumbents' },

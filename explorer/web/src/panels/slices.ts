@@ -40,6 +40,8 @@ export class SlicesPanel {
   constructor(
     private readonly viewing: Viewing,
     private readonly changed: () => void,
+    /** Whether others than those of the samples can be asked for. */
+    slanted = true,
   ) {
     this.buttons = axes.map((name, k) =>
       h('button', { type: 'button', onclick: () => this.toggle(k), 'aria-label': `Slice across ${name}` }, name),
@@ -52,7 +54,7 @@ export class SlicesPanel {
         'div',
         { className: 'row' },
         h('span', {}, 'Slices'),
-        h('div', { className: 'segments', role: 'group', 'aria-label': 'Slices' }, ...this.buttons, slant),
+        h('div', { className: 'segments', role: 'group', 'aria-label': 'Slices' }, ...this.buttons, slanted && slant),
       ),
       this.layers,
       this.slants,
