@@ -45,6 +45,10 @@ class Eye {
 
   /// A point of the world as the eye has it: right, up, and ahead; metres.
   [[nodiscard]] Eigen::Vector3d seen(const Eigen::Vector3d& world) const;
+  /// A direction of the world likewise.
+  [[nodiscard]] Eigen::Vector3d turned(const Eigen::Vector3d& world) const {
+    return R_EW_ * world;
+  }
   /// @pre seen.z ≥ nearest()
   [[nodiscard]] Spot spot(const Eigen::Vector3d& seen) const;
   /// What is nearer isn't seen, metres ahead.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "render/eye.h"
@@ -35,8 +36,7 @@ class Raster {
   Raster(const Frame& frame, const Colour& background);
 
   /// @param colour_at of what is blended between the corners, and of the spot, pixels
-  /// of
-  ///        the shown picture
+  ///        of the shown picture; nullopt: there is a hole
   template <class ColourAt>
   void triangle(const Eye& eye, const std::array<Corner, 3>& corners,
                 ColourAt&& colour_at);
@@ -120,7 +120,9 @@ void Raster::flat_triangle(const Eye& eye, const std::array<Corner, 3>& corners,
         weights += part[k] * s[k].weight;
         value += part[k] * s[k].weight * corners[k].value;
       }
-      put(x, y, nearness, colour_at(value / weights, x / kFiner, y / kFiner));
+      const std::optional<Colour> colour =
+          colour_at(value / weights, x / kFiner, y / kFiner);
+      if (colour) put(x, y, nearness, *colour);
     }
 }
 
