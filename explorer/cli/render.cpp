@@ -113,7 +113,8 @@ render::PictureOptions picture_of(const RenderCommand& command,
     picture.relief_height =
         quantity_of(command.relief, "m", "--relief '" + command.relief + "'");
   }
-  if (command.slices.empty() && command.surfaces.empty() && command.between.empty())
+  if (command.slices.empty() && command.surfaces.empty() && command.between.empty() &&
+      !picture.cloud)
     picture.slices.push_back({});
   return picture;
 }
@@ -206,6 +207,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
                   "The body on which the metric lies between two values: '17 mm,25 "
                   "mm', '17 mm,' or ',25 mm'; repeatable")
       ->allow_extra_args(false);
+  app->add_flag("--cloud", command->picture.cloud,
+                "The volume as a cloud, densest where it is good");
   app->add_option("--relief", command->relief,
                   "Slices and planes as surfaces that are as high as their values; the "
                   "end of the colour bar is as high as this: '1 m'");

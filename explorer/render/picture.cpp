@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/cloud.h"
 #include "render/legend.h"
 #include "session/description.h"
 #include "session/refusal.h"
@@ -72,6 +73,7 @@ Picture render_picture(const session::LoadedScene& loaded,
   Picture picture;
   picture.shapes = draw_field_layer(pen, drawn, colours, options);
   const std::vector<Label> names = draw_room_layer(pen, loaded, options);
+  if (options.cloud && colours) draw_cloud(pen, drawn, *colours);
   picture.width = options.width;
   picture.height = options.height;
   picture.pixels = raster.bytes();

@@ -23,6 +23,7 @@ struct PictureOptions {
   double relief_height = 1;    ///< of the end of the colour bar, metres
   std::vector<double> levels;  ///< of isosurfaces, SI
   std::vector<std::pair<double, double>> between;  ///< least and greatest of bodies, SI
+  bool cloud = false;  ///< grids throughout their volume, by cloud.h
   bool log10 = false;
   bool dark = false;  ///< on a dark ground
   bool devices = true, frusta = true, names = true, bodies = true, beacons = true,
