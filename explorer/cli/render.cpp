@@ -1,5 +1,7 @@
 // delos render: the field in its room, without a display.
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 #include "command.h"
@@ -18,7 +20,8 @@ struct RenderCommand {
   SceneOptions options;
   std::filesystem::path scene, out;
   std::string view = "corner", layers;
-  std::vector<std::string> slices, surfaces;
+  std::vector<std::string> slices, surfaces, between;
+  std::string relief;
   bool orthographic = false;
   render::PictureOptions picture;
 };
@@ -27,13 +30,14 @@ struct Layer {
   const char* name;
   bool render::PictureOptions::*shown;
 };
-constexpr Layer kLayers[7] = {{"devices", &render::PictureOptions::devices},
+constexpr Layer kLayers[8] = {{"devices", &render::PictureOptions::devices},
                               {"frusta", &render::PictureOptions::frusta},
                               {"names", &render::PictureOptions::names},
                               {"bodies", &render::PictureOptions::bodies},
                               {"beacons", &render::PictureOptions::beacons},
                               {"floor", &render::PictureOptions::floor},
-                              {"box", &render::PictureOptions::box}};
+                              {"box", &render::PictureOptions::box},
+                              {"cells", &render::PictureOptions::cells}};
 
 void choose_layers(const std::string& text, render::PictureOptions& picture) {
   for (const Layer& layer : kLayers) picture.*layer.shown = false;
@@ -72,6 +76,25 @@ render::Slice slice_of(const std::string& text) {
   return slice;
 }
 
+/// "17 mm,25 mm"; an end may be left out.
+std::pair<double, double> ends_of(const std::string& text, const std::string& unit) {
+  const std::string option = "--between '" + text + "'";
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw Failure{kUsage, option +
+                              ": should be two values with a comma between, such "
+                              "as '17 mm,25 mm'; one may be left out"};
+  const auto end = [&](const std::string& part, double open) {
+    return part.empty() ? open : quantity_of(part, unit, option);
+  };
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  const std::pair<double, double> ends{end(text.substr(0, comma), -kOpen),
+                                       end(text.substr(comma + 1), kOpen)};
+  if (!(ends.first <= ends.second))
+    throw Failure{kUsage, option + ": the first is greater than the second"};
+  return ends;
+}
+
 render::PictureOptions picture_of(const RenderCommand& command,
                                   const LoadedScene& loaded) {
   render::PictureOptions picture = command.picture;
@@ -83,7 +106,16 @@ render::PictureOptions picture_of(const RenderCommand& command,
   for (const std::string& level : command.surfaces)
     picture.levels.push_back(
         quantity_of(level, loaded.metric.unit, "--surface '" + level + "'"));
-  if (command.slices.empty() && command.surfaces.empty()) picture.slices.push_back({});
+  for (const std::string& ends : command.between)
+    picture.between.push_back(ends_of(ends, loaded.metric.unit));
+  if (!command.relief.empty()) {
+    picture.reliefs = true;
+    picture.relief_height =
+        quantity_of(command.relief, "m", "--relief '" + command.relief + "'");
+  }
+  if (command.slices.empty() && command.surfaces.empty() && command.between.empty() &&
+      !picture.cloud)
+    picture.slices.push_back({});
   return picture;
 }
 
@@ -94,12 +126,29 @@ Json answer(const render::Picture& picture, const RenderCommand& command,
             {"height", picture.height},
             {"metric", {{"name", loaded.metric.name}, {"unit", loaded.metric.unit}}},
             {"range", nullptr},
-            {"surfaces", Json::array()}};
+            {"surfaces", Json::array()},
+            {"bodies", Json::array()}};
   if (picture.range)
     json["range"] = {{"min", picture.range->first}, {"max", picture.range->second}};
-  for (const render::DrawnLevel& level : picture.levels)
-    json["surfaces"].push_back({{"level", level.level}, {"area", level.area}});
+  for (const render::DrawnShape& shape : picture.shapes)
+    if (shape.low == shape.high)
+      json["surfaces"].push_back({{"level", shape.low}, {"area", shape.area}});
+    else
+      json["bodies"].push_back({{"low", session::number(shape.low)},
+                                {"high", session::number(shape.high)},
+                                {"area", shape.area},
+                                {"volume", shape.volume}});
   return json;
+}
+
+std::string words_of(const render::DrawnShape& shape, const std::string& unit) {
+  const auto value = [&](double v) { return format_quantity(v, unit); };
+  if (shape.low == shape.high)
+    return "surface at " + value(shape.low) + ": " + format_quantity(shape.area, "m^2");
+  const bool from = std::isfinite(shape.low), to = std::isfinite(shape.high);
+  return "body" + (from ? " from " + value(shape.low) : "") +
+         (to ? " to " + value(shape.high) : "") + ": " +
+         format_quantity(shape.volume, "m^3");
 }
 
 int run(const RenderCommand& command) {
@@ -126,9 +175,8 @@ int run(const RenderCommand& command) {
   if (command.options.json) {
     print_document(answer(drawn_picture, command, loaded));
   } else {
-    for (const render::DrawnLevel& level : drawn_picture.levels)
-      std::cout << "surface at " << format_quantity(level.level, loaded.metric.unit)
-                << ": " << format_quantity(level.area, "m^2") << "\n";
+    for (const render::DrawnShape& shape : drawn_picture.shapes)
+      std::cout << words_of(shape, loaded.metric.unit) << "\n";
     std::cout << "wrote " << command.out.string() << "\n";
   }
   return drawn.field.cancelled ? kCancelled : kDone;
@@ -155,10 +203,19 @@ void add_render_command(CLI::App& program, int& exit_code) {
   app->add_option("--surface", command->surfaces,
                   "A surface on which the metric has one value: '1 mm'; repeatable")
       ->allow_extra_args(false);
+  app->add_option("--between", command->between,
+                  "The body on which the metric lies between two values: '17 mm,25 "
+                  "mm', '17 mm,' or ',25 mm'; repeatable")
+      ->allow_extra_args(false);
+  app->add_flag("--cloud", command->picture.cloud,
+                "The volume as a cloud, densest where it is good");
+  app->add_option("--relief", command->relief,
+                  "Slices and planes as surfaces that are as high as their values; the "
+                  "end of the colour bar is as high as this: '1 m'");
   app->add_option(
       "--layers", command->layers,
-      "Only these of devices, frusta, names, bodies, beacons, floor, box; or "
-      "none");
+      "Only these of devices, frusta, names, bodies, beacons, floor, box, and cells of "
+      "an octree: those that slices cut, or all; or none");
   app->add_option("--width", command->picture.width, "Pixels")
       ->check(CLI::Range(kLeastPixels, kMostPixels))
       ->capture_default_str();
@@ -177,6 +234,9 @@ void add_render_command(CLI::App& program, int& exit_code) {
       "'z=1.2 m' -o plan.png\n"
       "  delos render scenes/01-acoustic.yaml --view 60,15 --surface '25 mm' --surface "
       "'40 mm' --log10 -o surfaces.png\n"
+      "  delos render scenes/04-motion-capture.yaml --slice 'z=5.6 ft' --relief '1.5 "
+      "m' -o "
+      "relief.png\n"
       "  delos render scenes/07-torso.yaml --metric coverage --layers devices,names -o "
       "torso.png");
   app->callback([command, &exit_code] { exit_code = run(*command); });

@@ -116,6 +116,20 @@ Spot Eye::spot(const Eigen::Vector3d& seen) const {
           orthographic_ ? -seen.z() : weight, weight};
 }
 
+Ray Eye::ray(double x, double y) const {
+  const Eigen::Vector3d ahead = R_EW_.row(2);
+  const Eigen::Vector3d aside = ((x - x0_) / scale_) * R_EW_.row(0).transpose() +
+                                ((y0_ - y) / scale_) * R_EW_.row(1).transpose();
+  const Eigen::Vector3d eye = centre_ - distance_ * ahead;
+  if (orthographic_) return {eye + aside, ahead};
+  return {eye, ahead + aside};
+}
+
+double Eye::ahead(double nearness) const {
+  if (orthographic_) return -nearness;
+  return nearness > 0 ? 1 / nearness : std::numeric_limits<double>::infinity();
+}
+
 double Eye::before(double nearness) const {
   constexpr double kLittle = 2e-3;
   return orthographic_ ? nearness + kLittle * size_ : nearness * (1 + kLittle);

@@ -38,6 +38,11 @@ struct Spot {
   double weight = 1;
 };
 
+/// from + t·along, world, metres; t is the distance ahead of the eye.
+struct Ray {
+  Eigen::Vector3d from, along;
+};
+
 class Eye {
  public:
   /// @param room what is looked at, metres, not empty
@@ -45,10 +50,18 @@ class Eye {
 
   /// A point of the world as the eye has it: right, up, and ahead; metres.
   [[nodiscard]] Eigen::Vector3d seen(const Eigen::Vector3d& world) const;
+  /// A direction of the world likewise.
+  [[nodiscard]] Eigen::Vector3d turned(const Eigen::Vector3d& world) const {
+    return R_EW_ * world;
+  }
   /// @pre seen.z ≥ nearest()
   [[nodiscard]] Spot spot(const Eigen::Vector3d& seen) const;
   /// What is nearer isn't seen, metres ahead.
   [[nodiscard]] double nearest() const { return nearest_; }
+  /// The ray that falls on a spot of the eye's frame, pixels.
+  [[nodiscard]] Ray ray(double x, double y) const;
+  /// How far ahead something of a nearness is, metres.
+  [[nodiscard]] double ahead(double nearness) const;
   /// A nearness that lies a little before another one.
   [[nodiscard]] double before(double nearness) const;
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
+#include <limits>
 
 #include "delos/text/format.h"
-#include "render/isosurface.h"
+#include "session/drawn_shapes.h"
 #include "session/refusal.h"
 
 namespace delos::render {
@@ -15,13 +14,7 @@ namespace {
 using session::Blame;
 using session::Drawn;
 using session::Refusal;
-
-/// Samples of a parallelogram, the first direction fastest.
-struct Sheet {
-  Eigen::Vector3d origin, u, v;
-  int nu, nv;
-  std::function<std::size_t(int, int)> index;
-};
+using shapes::Sheet;
 
 class FieldPainter {
  public:
@@ -32,8 +25,11 @@ class FieldPainter {
         colours_(colours),
         blended_(drawn.field.metric != "coverage") {}
 
-  void sheet(const Sheet& s) {
-    const auto colour = [&](const Eigen::Vector3d& uv, int x, int y) {
+  /// @param raised its values stand above it: only its blind parts are drawn
+  void sheet(const Sheet& s, bool raised = false) {
+    const auto colour = [&](const Eigen::Vector3d& uv, int x,
+                            int y) -> std::optional<Colour> {
+      if (raised && whole_at(s, uv.x(), uv.y())) return std::nullopt;
       return at_sheet(s, uv.x(), uv.y(), x, y);
     };
     const Eigen::Vector3d o = s.origin, far = o + s.u + s.v;
@@ -51,7 +47,31 @@ class FieldPainter {
                                std::pair(Eigen::Vector3d(o + s.u), far),
                                std::pair(far, Eigen::Vector3d(o + s.v)),
                                std::pair(Eigen::Vector3d(o + s.v), o)})
-      pen_.raster.line(pen_.eye, pen_.eye.seen(a), pen_.eye.seen(b), pen_.ground.lines);
+      line(a, b, pen_.ground.lines);
+  }
+
+  /// Lit from the eye: smooth on the surface, flat on caps.
+  void shape(const shapes::ShapeMesh& shape) {
+    const auto& [mesh, normals, values, caps] = shape;
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+      const auto& t = mesh.triangles[k];
+      std::array<Eigen::Vector3d, 3> at;
+      for (std::size_t c = 0; c < 3; ++c) at[c] = pen_.eye.seen(mesh.vertices[t[c]]);
+      const Eigen::Vector3d flat = (at[1] - at[0]).cross(at[2] - at[0]).normalized();
+      std::array<Corner, 3> seen;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Eigen::Vector3d normal = k < caps ? pen_.eye.turned(normals[t[c]]) : flat;
+        seen[c] = {at[c], {normal.z(), values[t[c]], 0}};
+      }
+      pen_.raster.triangle(pen_.eye, seen, [&](const Eigen::Vector3d& v, int, int) {
+        return lit(of_value(v.y()), 0.5 + 0.5 * std::min(1.0, std::abs(v.x())));
+      });
+    }
+  }
+
+  void leaves(const shapes::LeafEdges& edges) {
+    for (std::size_t k = 0; k < edges.ends.size(); k += 2)
+      line(edges.ends[k], edges.ends[k + 1], pen_.ground.faint);
   }
 
   void points(const SamplePart& part) {
@@ -82,32 +102,12 @@ class FieldPainter {
     }
   }
 
-  DrawnLevel level(const SamplePart& part, const GridShape& grid, double level) {
-    const auto value = [&](std::size_t i) {
-      return drawn_.mask[part.first + i] == Drawn::value
-                 ? drawn_.field.value[part.first + i]
-                 : std::numeric_limits<double>::quiet_NaN();
-    };
-    const Isosurface iso = isosurface(grid, value, level);
-    const Colour colour = of_value(level);
-    for (const auto& triangle : iso.mesh.triangles) {
-      std::array<Corner, 3> seen;
-      for (std::size_t k = 0; k < 3; ++k)
-        seen[k] = {
-            pen_.eye.seen(iso.mesh.vertices[triangle[k]]),
-            pen_.eye.seen(iso.mesh.vertices[triangle[k]] + iso.normals[triangle[k]]) -
-                pen_.eye.seen(iso.mesh.vertices[triangle[k]])};
-      pen_.raster.triangle(pen_.eye, seen,
-                           [&](const Eigen::Vector3d& normal, int, int) {
-                             return lit(colour, light_of(normal, 0.5));
-                           });
-    }
-    return {level, area_of(iso.mesh)};
-  }
-
  private:
   [[nodiscard]] const Eigen::Vector3d& point(std::size_t i) const {
     return drawn_.field.samples.points[i];
+  }
+  void line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Colour& colour) {
+    pen_.raster.line(pen_.eye, pen_.eye.seen(a), pen_.eye.seen(b), colour);
   }
   [[nodiscard]] Colour of_value(double value) const {
     return colour_of(*colours_, value);
@@ -120,6 +120,18 @@ class FieldPainter {
   [[nodiscard]] static double light_of(const Eigen::Vector3d& normal, double least) {
     const double length = normal.norm();
     return length > 0 ? least + (1 - least) * std::abs(normal.z()) / length : 1;
+  }
+
+  /// Whether all four samples around a place have a value.
+  [[nodiscard]] bool whole_at(const Sheet& s, double u, double v) const {
+    const auto before = [](double part, int n) {
+      return std::clamp(static_cast<int>(part * (n - 1)), 0, std::max(0, n - 2));
+    };
+    const int i = before(u, s.nu), j = before(v, s.nv);
+    for (const int b : {j, std::min(j + 1, s.nv - 1)})
+      for (const int a : {i, std::min(i + 1, s.nu - 1)})
+        if (drawn_.mask[s.index(a, b)] != Drawn::value) return false;
+    return true;
   }
 
   /// The nearest sample decides whether there is a value; values are blended between
@@ -171,36 +183,6 @@ class FieldPainter {
   bool blended_;
 };
 
-Sheet layer_of(const SamplePart& part, const GridShape& grid, const Slice& slice) {
-  const int axis = slice.axis;
-  const std::int64_t count = grid.counts[axis];
-  const double last =
-      grid.origin[axis] + static_cast<double>(count - 1) * grid.step[axis];
-  const double at = slice.at.value_or((grid.origin[axis] + last) / 2);
-  const double n = count > 1 ? (at - grid.origin[axis]) / grid.step[axis] : 0;
-  const auto layer = static_cast<std::size_t>(
-      std::clamp<double>(std::round(n), 0, static_cast<double>(count - 1)));
-  const std::array<std::size_t, 3> strides{
-      1, static_cast<std::size_t>(grid.counts.x()),
-      static_cast<std::size_t>(grid.counts.x() * grid.counts.y())};
-  const int a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
-  Sheet sheet{grid.origin,
-              Eigen::Vector3d::Zero(),
-              Eigen::Vector3d::Zero(),
-              static_cast<int>(grid.counts[a]),
-              static_cast<int>(grid.counts[b]),
-              {}};
-  sheet.origin[axis] += static_cast<double>(layer) * grid.step[axis];
-  sheet.u[a] = static_cast<double>(grid.counts[a] - 1) * grid.step[a];
-  sheet.v[b] = static_cast<double>(grid.counts[b] - 1) * grid.step[b];
-  sheet.index = [=, first = part.first](int i, int j) {
-    return first + layer * strides[static_cast<std::size_t>(axis)] +
-           static_cast<std::size_t>(i) * strides[static_cast<std::size_t>(a)] +
-           static_cast<std::size_t>(j) * strides[static_cast<std::size_t>(b)];
-  };
-  return sheet;
-}
-
 /// Outside the values that there are, a surface would be nowhere.
 void check_level(double level, const ColourRange& colours, const std::string& unit) {
   if (level >= colours.low && level <= colours.high) return;
@@ -210,43 +192,82 @@ void check_level(double level, const ColourRange& colours, const std::string& un
                                      format_quantity(colours.high, unit));
 }
 
+/// What runs through volumes. @returns each with its area
+std::vector<DrawnShape> draw_shapes(FieldPainter& painter,
+                                    const session::DrawnField& drawn,
+                                    const std::optional<ColourRange>& colours,
+                                    const PictureOptions& options) {
+  std::vector<DrawnShape> all;
+  if (!colours) return all;  // blind everywhere
+  const auto draw = [&](const session::FieldShape& shape, double low, double high) {
+    all.push_back({low, high, 0, 0});
+    for (const shapes::ShapeMesh& mesh : shapes_of(drawn, shape, nullptr)) {
+      painter.shape(mesh);
+      all.back().area += shapes::area_of(mesh.mesh);
+      if (low < high) all.back().volume += shapes::volume_of(mesh.mesh);
+    }
+  };
+  for (const double level : options.levels) {
+    check_level(level, *colours, drawn.field.unit);
+    draw(session::LevelShape{level}, level, level);
+  }
+  for (const auto& [low, high] : options.between)
+    draw(session::BetweenShape{low, high}, low, high);
+  return all;
+}
+
+/// Layers and planes, as high as their values.
+void draw_reliefs(FieldPainter& painter, const session::DrawnField& drawn,
+                  const std::optional<ColourRange>& colours,
+                  const PictureOptions& options) {
+  if (!colours || !options.reliefs) return;
+  const shapes::Heights heights{colours->low, colours->high, colours->log10,
+                                options.relief_height};
+  const auto draw = [&](const session::FieldShape& shape) {
+    for (const shapes::ShapeMesh& mesh : shapes_of(drawn, shape, nullptr))
+      painter.shape(mesh);
+  };
+  for (const Slice& slice : options.slices) draw(session::ReliefShape{slice, heights});
+  draw(session::ReliefShape{std::nullopt, heights});
+}
+
+/// Octree cells near what is sliced, or all.
+void draw_leaves(FieldPainter& painter, const session::DrawnField& drawn,
+                 const PictureOptions& options) {
+  if (!options.cells) return;
+  if (!drawn.leaves)
+    throw Refusal(Blame::question, "cells: the scene isn't sampled adaptively");
+  for (const Slice& slice : options.slices) painter.leaves(leaves_of(drawn, slice));
+  if (options.slices.empty()) painter.leaves(leaves_of(drawn, std::nullopt));
+}
+
 }  // namespace
 
-std::vector<DrawnLevel> draw_field_layer(const Pen& pen,
+std::vector<DrawnShape> draw_field_layer(const Pen& pen,
                                          const session::DrawnField& drawn,
                                          const std::optional<ColourRange>& colours,
                                          const PictureOptions& options) {
   FieldPainter painter(pen, drawn, colours);
-  std::vector<DrawnLevel> levels;
   bool grid_seen = false;
   for (const SamplePart& part : drawn.field.samples.parts) {
     if (const auto* grid = std::get_if<GridShape>(&part.shape)) {
       grid_seen = true;
       for (const Slice& slice : options.slices)
-        painter.sheet(layer_of(part, *grid, slice));
-      for (const double level : options.levels) {
-        if (!colours) continue;  // blind everywhere
-        check_level(level, *colours, drawn.field.unit);
-        levels.push_back(painter.level(part, *grid, level));
-      }
+        painter.sheet(shapes::layer_of(part, *grid, slice), options.reliefs);
     } else if (const auto* plane = std::get_if<PlaneShape>(&part.shape)) {
-      const int nu = plane->counts.x();
-      painter.sheet({plane->origin, plane->u, plane->v, nu, plane->counts.y(),
-                     [first = part.first, nu](int i, int j) {
-                       return first + static_cast<std::size_t>(i) +
-                              static_cast<std::size_t>(j) *
-                                  static_cast<std::size_t>(nu);
-                     }});
+      painter.sheet(shapes::sheet_of(part, *plane), options.reliefs);
     } else if (const auto* surface = std::get_if<SurfaceShape>(&part.shape)) {
       painter.surface(part, *surface);
     } else {
       painter.points(part);
     }
   }
-  if (!grid_seen && !options.levels.empty())
+  if (!grid_seen && !(options.levels.empty() && options.between.empty()))
     throw Refusal(Blame::question,
                   "surface: the scene samples no volume that one could run through");
-  return levels;
+  draw_leaves(painter, drawn, options);
+  draw_reliefs(painter, drawn, colours, options);
+  return draw_shapes(painter, drawn, colours, options);
 }
 
 }  // namespace delos::render

@@ -1,4 +1,4 @@
-// The field in a picture: layers of grids, planes, surfaces, points, and isosurfaces.
+// The field in a picture: layers of grids, planes, surfaces, points, and shapes.
 #pragma once
 
 #include "output/colour_range.h"
@@ -16,7 +16,7 @@ struct Pen {
 
 /// @param colours of values; nullopt: none has one
 /// @throws session::Refusal as render_picture()
-[[nodiscard]] std::vector<DrawnLevel> draw_field_layer(
+[[nodiscard]] std::vector<DrawnShape> draw_field_layer(
     const Pen& pen, const session::DrawnField& drawn,
     const std::optional<ColourRange>& colours, const PictureOptions& options);
 

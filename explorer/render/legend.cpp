@@ -127,8 +127,7 @@ void write_ticks(Writing& writing, const Bar& bar, const Ground& ground,
 
 void draw_legend(Picture& picture, const Ground& ground, const LegendText& text,
                  const std::optional<ColourRange>& colours,
-                 const std::vector<DrawnLevel>& levels,
-                 const std::vector<Label>& labels) {
+                 const std::vector<double>& marks, const std::vector<Label>& labels) {
   Writing writing(picture);
   for (const Label& label : labels)
     writing.text(label.spot.x, label.spot.y - 24, label.text, ground.text, 11, false,
@@ -153,11 +152,10 @@ void draw_legend(Picture& picture, const Ground& ground, const LegendText& text,
                      std::string(colours->log10 ? " (log)" : ""),
                  ground.text, 12);
     write_ticks(writing, bar, ground, *colours, text.unit);
-    for (const DrawnLevel& level : levels)
-      writing.fill(
-          bar.x - 5,
-          bar.top + bar.height * (1 - colour_position(*colours, level.level)) - 1,
-          Bar::kWidth + 5, 2, ground.text);
+    for (const double mark : marks)
+      writing.fill(bar.x - 5,
+                   bar.top + bar.height * (1 - colour_position(*colours, mark)) - 1,
+                   Bar::kWidth + 5, 2, ground.text);
   }
   const double y = bar.top + bar.height + 24;
   for (int j = 0; j < 16; ++j)

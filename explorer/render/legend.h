@@ -20,10 +20,9 @@ struct LegendText {
 
 /// Write on a picture.
 /// @param colours nullopt: no sample has a value
-/// @param levels are marked on the bar
+/// @param marks of values on the bar
 void draw_legend(Picture& picture, const Ground& ground, const LegendText& text,
                  const std::optional<ColourRange>& colours,
-                 const std::vector<DrawnLevel>& levels,
-                 const std::vector<Label>& labels);
+                 const std::vector<double>& marks, const std::vector<Label>& labels);
 
 }  // namespace delos::render

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/cloud.h"
 #include "render/legend.h"
 #include "session/description.h"
 #include "session/refusal.h"
@@ -29,11 +30,27 @@ Frame frame_of(const PictureOptions& options) {
           std::max(options.width - kLegend, options.width / 2)};
 }
 
+/// Values of shapes that lie on the bar.
+std::vector<double> marks_of(const std::vector<DrawnShape>& shapes,
+                             const std::optional<ColourRange>& colours) {
+  std::vector<double> marks;
+  for (const DrawnShape& shape : shapes)
+    for (const double end : {shape.low, shape.high})
+      if (end >= colours->low && end <= colours->high) marks.push_back(end);
+  return marks;
+}
+
 }  // namespace
 
 Eye eye_of(const session::LoadedScene& loaded, const PictureOptions& options,
            int finer) {
   Eigen::AlignedBox3d room = session::room_box(loaded);
+  for (const Slice& slice : options.slices)
+    if (options.reliefs && slice.at) {
+      Eigen::Vector3d peak = room.center();
+      peak[slice.axis] = *slice.at + options.relief_height;
+      room.extend(peak);
+    }
   // Icons and the floor reach a little beyond.
   const Eigen::Vector3d margin =
       Eigen::Vector3d::Constant(0.04 * room.diagonal().norm() + 1e-6);
@@ -54,8 +71,9 @@ Picture render_picture(const session::LoadedScene& loaded,
   const std::optional<ColourRange> colours = colours_of(drawn, options.log10);
 
   Picture picture;
-  picture.levels = draw_field_layer(pen, drawn, colours, options);
+  picture.shapes = draw_field_layer(pen, drawn, colours, options);
   const std::vector<Label> names = draw_room_layer(pen, loaded, options);
+  if (options.cloud && colours) draw_cloud(pen, drawn, *colours);
   picture.width = options.width;
   picture.height = options.height;
   picture.pixels = raster.bytes();
@@ -68,7 +86,7 @@ Picture render_picture(const session::LoadedScene& loaded,
   draw_legend(picture, ground,
               {loaded.scene.name, drawn.field.metric, drawn.field.unit, blind,
                blind + count(session::Drawn::value)},
-              colours, picture.levels, names);
+              colours, marks_of(picture.shapes, colours), names);
   return picture;
 }
 

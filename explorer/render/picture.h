@@ -7,31 +7,35 @@
 
 #include "render/eye.h"
 #include "session/drawn_field.h"
+#include "shapes/sheet.h"
 
 namespace delos::render {
 
 /// A layer of a grid.
-struct Slice {
-  int axis = 2;                   ///< 0, 1, 2: across x, y, z
-  std::optional<double> at = {};  ///< metres; the nearest layer; by default the middle
-};
+using Slice = shapes::AxisPlane;
 
 /// What is drawn, and how.
 struct PictureOptions {
   View view;
   int width = 1280, height = 720;  ///< pixels
   std::vector<Slice> slices;
+  bool reliefs = false;        ///< slices and planes are as high as their values
+  double relief_height = 1;    ///< of the end of the colour bar, metres
   std::vector<double> levels;  ///< of isosurfaces, SI
+  std::vector<std::pair<double, double>> between;  ///< least and greatest of bodies, SI
+  bool cloud = false;  ///< grids throughout their volume, by cloud.h
   bool log10 = false;
   bool dark = false;  ///< on a dark ground
   bool devices = true, frusta = true, names = true, bodies = true, beacons = true,
        floor = true, box = true;
+  bool cells = false;  ///< of an octree: those that slices cut, or all
 };
 
-/// A surface at a level, as it was drawn.
-struct DrawnLevel {
-  double level = 0;  ///< SI
-  double area = 0;   ///< m²
+/// A surface at a level, or a body between two, as it was drawn.
+struct DrawnShape {
+  double low = 0, high = 0;  ///< SI; of a surface the same
+  double area = 0;           ///< m²
+  double volume = 0;         ///< m³; of a surface 0
 };
 
 struct Picture {
@@ -39,7 +43,7 @@ struct Picture {
   std::vector<unsigned char> pixels;  ///< rows from the top: red, green, blue
   /// What the colour bar runs from and to, SI; none where no sample has a value.
   std::optional<std::pair<double, double>> range;
-  std::vector<DrawnLevel> levels;
+  std::vector<DrawnShape> shapes;
 };
 
 /// Where a picture of a room is looked at from; all that it draws is in it.
@@ -51,8 +55,7 @@ struct Picture {
 /// are lines. Blind is hatched, what is within a solid plain grey.
 /// @param drawn as draw_field()
 /// @throws session::Refusal that a level lies outside the field, that there is no grid
-/// to
-///         cut, or that a logarithm is asked of what isn't positive
+///         to cut or no octree, or that a logarithm is asked of what isn't positive
 [[nodiscard]] Picture render_picture(const session::LoadedScene& loaded,
                                      const session::DrawnField& drawn,
                                      const PictureOptions& options);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "render/eye.h"
@@ -27,16 +28,22 @@ struct Corner {
 
 /// A picture of colours and of how near they are. Drawn twice as large as it is shown
 /// in both directions, so that edges are smooth.
+/// What lies before a spot: its light, and the part of what is behind that it hides.
+struct Haze {
+  Colour light{0, 0, 0};
+  double opacity = 0;
+};
+
 class Raster {
  public:
   static constexpr int kFiner = 2;
+  static constexpr std::size_t kSpots = kFiner * kFiner;
 
   /// @param frame of the picture that is shown
   Raster(const Frame& frame, const Colour& background);
 
   /// @param colour_at of what is blended between the corners, and of the spot, pixels
-  /// of
-  ///        the shown picture
+  ///        of the shown picture; nullopt: there is a hole
   template <class ColourAt>
   void triangle(const Eye& eye, const std::array<Corner, 3>& corners,
                 ColourAt&& colour_at);
@@ -49,6 +56,12 @@ class Raster {
   /// A disc that faces the eye, or, hollow, a ring. @param radius pixels shown
   void disc(const Eye& eye, const Eigen::Vector3d& seen, double radius, bool hollow,
             const Colour& colour);
+
+  /// Lay a haze over all that was drawn.
+  /// @param haze called for each pixel that is shown with its middle, pixels of the
+  ///        eye's frame, how far ahead its spots end, metres, and their hazes
+  template <class HazeBefore>
+  void compose(const Eye& eye, const HazeBefore& haze);
 
   /// The picture, rows from the top, three bytes a pixel.
   [[nodiscard]] std::vector<unsigned char> bytes() const;
@@ -120,7 +133,30 @@ void Raster::flat_triangle(const Eye& eye, const std::array<Corner, 3>& corners,
         weights += part[k] * s[k].weight;
         value += part[k] * s[k].weight * corners[k].value;
       }
-      put(x, y, nearness, colour_at(value / weights, x / kFiner, y / kFiner));
+      const std::optional<Colour> colour =
+          colour_at(value / weights, x / kFiner, y / kFiner);
+      if (colour) put(x, y, nearness, *colour);
+    }
+}
+
+template <class HazeBefore>
+void Raster::compose(const Eye& eye, const HazeBefore& haze) {
+  for (int y = 0; y < shown_.height; ++y)
+    for (int x = 0; x < shown_.free; ++x) {
+      std::array<std::size_t, kSpots> spots;
+      std::array<double, kSpots> ends;
+      for (std::size_t k = 0; k < kSpots; ++k) {
+        const auto i = static_cast<int>(k) % kFiner, j = static_cast<int>(k) / kFiner;
+        spots[k] = static_cast<std::size_t>(kFiner * y + j) * width_ + kFiner * x + i;
+        ends[k] = eye.ahead(nearness_[spots[k]]);
+      }
+      std::array<Haze, kSpots> hazes;
+      haze(kFiner * (x + 0.5), kFiner * (y + 0.5), ends, hazes);
+      for (std::size_t k = 0; k < kSpots; ++k)
+        for (std::size_t c = 0; c < 3; ++c) {
+          float& seen = colour_[spots[k]][c];
+          seen = static_cast<float>(hazes[k].light[c] + (1 - hazes[k].opacity) * seen);
+        }
     }
 }
 

@@ -19,10 +19,6 @@ constexpr std::size_t kMostSections = 16, kMostLattice = 1000, kMostRegions = 12
 /// Samples of a cut, where the page doesn't say.
 constexpr std::size_t kSectionSamples = 10'000, kMostSectionSamples = 100'000;
 
-Reply superseded() {
-  return refusal(Status::conflict, "a newer request took its place");
-}
-
 FieldOptions options_of(const Work& work) {
   FieldOptions options;
   options.threads = work.threads;
@@ -30,10 +26,13 @@ FieldOptions options_of(const Work& work) {
   return options;
 }
 
-Reply packed_reply(const Work& work, const session::DrawnField& drawn) {
+/// @param kind as shapes() calls the field
+Reply packed_reply(const Work& work, const char* kind, session::DrawnField drawn) {
   if (*work.stop) return superseded();
-  return {Status::ok, "application/octet-stream",
-          session::packed(drawn, work.visitor.revision)};
+  Reply reply{Status::ok, "application/octet-stream",
+              session::packed(drawn, work.visitor.revision)};
+  work.visitor.fields.keep(kind, work.visitor.revision, std::move(drawn));
+  return reply;
 }
 
 /// An answer with the revision that it is of.
@@ -56,21 +55,24 @@ Reply field(const Work& work) {
   const LoadedScene& loaded =
       of.empty() ? work.visitor.design.loaded() : baseline(work).loaded;
   return packed_reply(
-      work, session::draw_field(loaded, most_samples(work.request), options_of(work)));
+      work, of.empty() ? "field" : "pinned",
+      session::draw_field(loaded, most_samples(work.request), options_of(work)));
 }
 
 Reply difference(const Work& work) {
   return packed_reply(
-      work, session::draw_difference(work.visitor.design.loaded(), baseline(work),
-                                     most_samples(work.request), options_of(work)));
+      work, "difference",
+      session::draw_difference(work.visitor.design.loaded(), baseline(work),
+                               most_samples(work.request), options_of(work)));
 }
 
 Reply sensitivity(const Work& work) {
-  return packed_reply(
-      work, session::draw_sensitivity(
-                work.visitor.design.loaded(), text_or_empty(work.request, "path"),
-                most_samples(work.request), options_of(work), work.plugins)
-                .drawn);
+  return packed_reply(work, "sensitivity",
+                      session::draw_sensitivity(work.visitor.design.loaded(),
+                                                text_or_empty(work.request, "path"),
+                                                most_samples(work.request),
+                                                options_of(work), work.plugins)
+                          .drawn);
 }
 
 Reply sections(const Work& work) {
@@ -93,10 +95,11 @@ Reply sections(const Work& work) {
   if (!of.empty() && of != "difference")
     throw BadRequest("'of' must be difference, or absent");
   const LoadedScene& loaded = work.visitor.design.loaded();
-  return packed_reply(
-      work, of.empty() ? session::draw_sections(loaded, all, most, options_of(work))
-                       : session::draw_difference_sections(loaded, baseline(work), all,
-                                                           most, options_of(work)));
+  return packed_reply(work, "sections",
+                      of.empty()
+                          ? session::draw_sections(loaded, all, most, options_of(work))
+                          : session::draw_difference_sections(
+                                loaded, baseline(work), all, most, options_of(work)));
 }
 
 Reply point(const Work& work) {

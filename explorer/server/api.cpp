@@ -121,7 +121,9 @@ asio::awaitable<Reply> Api::ask(std::string name, Json request) {
   if (!visitor) co_return known;
   if (verb->changes) visitor->stop_all();
   const Stop stop = visitor->newest(name);
-  co_return co_await run_on(visitor->strand, [&] {
+  const Strand on =
+      verb->aside ? asio::make_strand(pool_.get_executor()) : visitor->strand;
+  co_return co_await run_on(on, [&] {
     return guarded([&] {
       return verb->work({*visitor, request, plugins_, place_, stop.get(), threads_});
     });

@@ -39,6 +39,7 @@ namespace delos::server {
 ///   point   {at}                    → {point: point_json(), words, ellipsoid, lost}
 ///   lattice {most}                  → {points: lattice_json()}
 ///   blind, worth                    → blind_json(), worth_json()
+///   shapes  {shapes: […], leaves}   → packed_shapes(), of fields that were asked for
 ///
 /// Of its searches; search_verbs.cpp says what each reads:
 ///

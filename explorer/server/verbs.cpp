@@ -51,6 +51,7 @@ constexpr Verb kVerbs[] = {
     {"lattice", lattice, false},
     {"blind", blind, false},
     {"worth", worth, false},
+    {"shapes", shapes, false, true},
     {"task", task, false},
     {"vary", vary, true},
     {"fix", fix, true},
@@ -68,6 +69,10 @@ constexpr Verb kVerbs[] = {
 };
 
 }  // namespace
+
+Reply superseded() {
+  return refusal(Status::conflict, "a newer request took its place");
+}
 
 const Verb* find_verb(const std::string& name) {
   for (const Verb& verb : kVerbs)

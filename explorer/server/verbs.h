@@ -24,6 +24,8 @@ struct Verb {
   const char* name;
   Reply (*work)(const Work& work);
   bool changes;  ///< the design; else it only asks
+  /// Reads nothing but what is kept of fields: done beside what is worked out.
+  bool aside = false;
 };
 
 /// The verb of a name; null where there is none.
@@ -79,5 +81,9 @@ void tell_search(Visitor& visitor);
 [[nodiscard]] Reply lattice(const Work& work);
 [[nodiscard]] Reply blind(const Work& work);
 [[nodiscard]] Reply worth(const Work& work);
+[[nodiscard]] Reply shapes(const Work& work);
+
+/// Of work that was stopped.
+[[nodiscard]] Reply superseded();
 
 }  // namespace delos::server

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "server/kept_fields.h"
 #include "server/searches.h"
 #include "session/design.h"
 #include "session/difference.h"
@@ -39,6 +40,7 @@ class Visitor {
   std::uint64_t revision = 0;    ///< likewise; grows with each change
   std::optional<Pinned> pinned;  ///< likewise
   Searches searches;             ///< see there
+  KeptFields fields;             ///< on any thread
   Strand strand;
   int watchers = 0;    ///< of its searches; on the server's own thread only
   bool waits = false;  ///< likewise: a search stopped since nobody watched it

@@ -1,11 +1,11 @@
 #include "session/drawn_field.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "delos/sampling/samples.h"
+#include "session/packing.h"
 
 namespace delos::session {
 namespace {
@@ -37,26 +37,6 @@ std::size_t count_of(const std::vector<SampleSet>& sets) {
     count += static_cast<std::size_t>(sample_count(set));
   return count;
 }
-
-/// Arrays behind a text, and where each begins.
-class Arrays {
- public:
-  template <class T, class Range>
-  std::size_t add(const Range& values) {
-    const std::size_t at = bytes_.size();
-    for (const auto& value : values) {
-      const auto stored = static_cast<T>(value);
-      bytes_.append(reinterpret_cast<const char*>(&stored), sizeof stored);
-    }
-    bytes_.append((4 - bytes_.size() % 4) % 4, '\0');
-    return at;
-  }
-  [[nodiscard]] const std::string& bytes() const { return bytes_; }
-
- private:
-  static_assert(std::endian::native == std::endian::little);
-  std::string bytes_;
-};
 
 /// Adds what is particular to a shape.
 struct ShapeJson {
@@ -98,6 +78,12 @@ struct ShapeJson {
     json["positions"] = arrays.add<float>(places);
   }
 };
+
+std::size_t leaf_count(const DrawnField& drawn) {
+  return drawn.leaves
+             ? std::get<OctreeShape>(drawn.leaves->parts.front().shape).cells.size()
+             : 0;
+}
 
 }  // namespace
 
@@ -173,11 +159,14 @@ DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
 DrawnField drawn_of(const LoadedScene& loaded, Evaluation evaluation) {
   DrawnField drawn;
   drawn.summary = field_answer(loaded, evaluation.field);
-  drawn.field = std::move(evaluation.field);
-  if (evaluation.octree)
+  if (evaluation.octree) {
     drawn.field = evaluation.octree->read(
         make_samples(coarser(loaded.scene.samples, kOctreeSamples)),
         ShadowEdges::exact);
+    drawn.leaves = std::make_shared<const Samples>(std::move(evaluation.field.samples));
+  } else {
+    drawn.field = std::move(evaluation.field);
+  }
   drawn.mask = drawn_as(drawn.field);
   return drawn;
 }
@@ -193,7 +182,8 @@ std::string packed(const DrawnField& drawn, std::size_t revision) {
             {"level", drawn.coarse ? "coarse" : "full"},
             {"larger_is_better", field.larger_is_better},
             {"definition", to_string(field.definition)},
-            {"summary", drawn.summary}};
+            {"summary", drawn.summary},
+            {"leaves", leaf_count(drawn)}};
   head["values"] = {{"at", arrays.add<float>(values)}, {"count", values.size()}};
   head["mask"] = {{"at", arrays.add<unsigned char>(drawn.mask)},
                   {"count", drawn.mask.size()}};
@@ -203,11 +193,7 @@ std::string packed(const DrawnField& drawn, std::size_t revision) {
     std::visit(ShapeJson{field, part, arrays, json}, part.shape);
     head["parts"].push_back(std::move(json));
   }
-  std::string text = text_of(head);
-  text.append((4 - text.size() % 4) % 4, ' ');
-  const auto length = static_cast<std::uint32_t>(text.size());
-  return "DLF1" + std::string(reinterpret_cast<const char*>(&length), sizeof length) +
-         text + arrays.bytes();
+  return packed_text("DLF1", head, arrays);
 }
 
 }  // namespace delos::session

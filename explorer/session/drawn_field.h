@@ -1,6 +1,7 @@
 // A field as a page draws it: its values over shapes that have neighbours.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct DrawnField {
   Json summary;             ///< field_answer() of the scene's own samples
   bool coarse = false;      ///< over fewer samples than the scene's
   std::vector<Drawn> mask;  ///< one a sample
+  /// Of an adaptive scene, the octree that the field was read from: one OctreeShape.
+  /// Null of others, and where it is coarse.
+  std::shared_ptr<const Samples> leaves;
 };
 
 /// Evaluate a scene to be drawn.
@@ -55,7 +59,7 @@ struct DrawnField {
 /// "DLF1", the length of a JSON text as 32 bits, the text, filled up to four bytes,
 /// then its arrays, little-endian, where the text says, in bytes from its own end:
 ///
-///   {revision, level, summary,
+///   {revision, level, summary, leaves,    how many there are; 0: not of an octree
 ///    values: {at, count}   float32, not a number where it isn't finite
 ///    mask: {at, count}     uint8, a Drawn each
 ///    parts: [{name, kind: grid, first, count, origin, step, counts}

@@ -180,10 +180,11 @@ TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheOptimizers) {
 }
 
 TEST(Arrows, LeadDownwardsFromRoomToRoomOfTheExplorer) {
-  expect_downwards({"explorer",
-                    {"output", "recordings", "motion", "measured", "readings",
-                     "imports", "session", "render", "server", "report", "cli"}},
-                   "");
+  expect_downwards(
+      {"explorer",
+       {"output", "recordings", "motion", "measured", "readings", "imports", "shapes",
+        "session", "render", "server", "report", "cli"}},
+      "");
 }
 
 struct Home {

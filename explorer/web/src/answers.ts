@@ -1,5 +1,6 @@
 // What is worked out of a design for its picture: coarse while a hand moves, then all of it.
 import { unpack, type Field } from './field';
+import { isNothing, noShapes, textOf, unpackShapes, type ShapesAsked } from './shapes';
 import type { Shown } from './picture';
 import { Refusal, type BlindRegions, type Lattice, type PointReport, type Session, type Vec3, type Worth } from './server';
 import { sectionOf, type Viewing } from './viewing';
@@ -14,6 +15,8 @@ export interface Heard {
   answered: () => void;
   uncertain: () => void;
   valued: (worth: Worth) => void;
+  /** What shapes are to be seen now. */
+  shapes: () => ShapesAsked;
 }
 
 export class Answers {
@@ -84,6 +87,29 @@ export class Answers {
     if (differing) shown.difference = await this.field(session, 'difference', { most }, signal);
     if (this.pinned && viewing.compare === 'beside') await this.baseline(session, signal);
     [shown.field, shown.sections, this.sectionsKnown] = [field, cuts, JSON.stringify([sections, of])];
+    await this.shape(session, signal);
+  }
+
+  private async shape(session: Session, signal: AbortSignal): Promise<void> {
+    const asked = this.heard.shapes();
+    this.shown.shapes = isNothing(asked) ? noShapes(asked) : unpackShapes(await session.bytes('shapes', asked, signal), asked);
+  }
+
+  private reshaping = new AbortController();
+
+  /** Shapes of the field that is there, where others are to be seen: beside all else, so that they
+   * follow a level while it is dragged. */
+  async reshape(session: Session): Promise<void> {
+    if (textOf(this.heard.shapes()) === (this.shown.shapes?.asked ?? '')) return;
+    this.reshaping.abort();
+    this.reshaping = new AbortController();
+    try {
+      await this.shape(session, this.reshaping.signal);
+      this.heard.drawn();
+    } catch (error) {
+      const overtaken = this.reshaping.signal.aborted || (error instanceof DOMException && error.name === 'AbortError') || (error instanceof Refusal && error.status === 409);
+      if (!overtaken) throw error;
+    }
   }
 
   /** Of a number that there isn't, none. */

@@ -116,6 +116,7 @@ export class App {
       answered: () => this.showProbe(),
       uncertain: () => this.showUncertainty(),
       valued: (worth) => this.layout.devices.value(worth),
+      shapes: () => this.picture.shapesAsked(this.shown),
     });
     this.work = new Work({
       change: (verb, body) => this.change(verb, body),
@@ -177,7 +178,7 @@ export class App {
     sessionStorage.setItem(sessionKey, session.name);
     Object.assign(this.shown, nothingShown(), { description });
     this.ask(null);
-    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
+    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], relief: false, cells: false, surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
     this.shown.around = await session.ask<Around>('around');
     this.drawRoom();
     this.picture.stage.look('corner', description.room);
@@ -238,6 +239,14 @@ export class App {
     this.showProbe();
     this.showUncertainty();
     if (this.shown.description && this.answers.lacking) this.work.refresh();
+    else if (this.shown.field) void this.reshape();
+  }
+
+  private reshapes = 0;
+  private async reshape(): Promise<void> {
+    document.body.dataset.shaping = String(++this.reshapes > 0);
+    await this.attempt(() => this.answers.reshape(this.session!));
+    document.body.dataset.shaping = String(--this.reshapes > 0);
   }
 
   private drawRoom(): void {

@@ -81,6 +81,8 @@ export interface Field {
   values: Float32Array;
   mask: Uint8Array;
   parts: Part[];
+  /** Of the octree that it was read from; 0: of none. */
+  leaves: number;
 }
 
 export function unpack(buffer: ArrayBuffer): Field {
@@ -110,6 +112,7 @@ export function unpack(buffer: ArrayBuffer): Field {
     values: new Float32Array(buffer, base + head.values.at, head.values.count),
     mask: new Uint8Array(buffer, base + head.mask.at, head.mask.count),
     parts,
+    leaves: head.leaves,
   };
 }
 

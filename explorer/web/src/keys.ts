@@ -64,7 +64,7 @@ export function commandsOf(doings: Doings): Command[] {
       doings.viewed();
     },
   });
-  const toggle = (name: string, key: string, what: 'surface' | 'lattice' | 'blind' | 'logarithmic' | 'frusta' | 'names' | 'reversed') =>
+  const toggle = (name: string, key: string, what: 'surface' | 'lattice' | 'blind' | 'logarithmic' | 'frusta' | 'names' | 'reversed' | 'relief' | 'cells') =>
     show(name, key ? [key] : [], () => (viewing[what] = !viewing[what]));
   const device = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: hasDevice });
   const scene = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: hasScene });
@@ -92,6 +92,8 @@ export function commandsOf(doings: Doings): Command[] {
     scene('Without perspective, or with', ['5'], doings.orthographic),
     ...['x', 'y', 'z'].map((axis, k) => scene(`Slice across ${axis}`, [axis], () => doings.slice(k))),
     scene('Add a slanted slice', ['shift+x'], doings.slant),
+    toggle('Heights: slices as high as their values', 'h', 'relief'),
+    toggle('Octree cells', 'shift+c', 'cells'),
     toggle('Surface', 'i', 'surface'),
     show('Raise the level of the surface', [']'], level(0.02)),
     show('Lower the level of the surface', ['['], level(-0.02)),

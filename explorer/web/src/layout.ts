@@ -18,7 +18,7 @@ import { ViewingPanel } from './panels/viewing';
 import { counted, quantity } from './quantity';
 import type { Scale } from './scale';
 import type { Description, Setting, Vec3 } from './server';
-import type { Shown } from './picture';
+import { sizeOf, type Shown } from './picture';
 import type { Viewing } from './viewing';
 import type { ViewName } from './view/eye';
 
@@ -219,7 +219,7 @@ export class Layout {
     const field = shown.field!;
     const { summary } = field;
     this.bar.show(drawn, scale, marks, viewing.units);
-    this.viewingPanel.show(drawn, scale, shown.blind, enlarged);
+    this.viewingPanel.show(drawn, scale, shown.blind, enlarged, sizeOf(shown.description!), shown.shapes);
     this.compare.show(shown.description!.pinned !== null, shown.difference?.summary ?? null);
     const unit = summary.metric.unit;
     const best = field.largerIsBetter ? summary.max : summary.min;

@@ -1,9 +1,10 @@
 // The picture: what is drawn of a design, and of the one that it is compared with.
 import { Group, type Raycaster } from 'three';
 import { Gizmo, type Place } from './gizmo';
-import type { Field, GridPart } from './field';
+import type { Field } from './field';
 import { Scale } from './scale';
 import type { Around, BlindRegions, Box, Description, Device, Lattice, PointReport, Vec3 } from './server';
+import { nothingAsked, type FieldKind, type ShapeAsked, type Shapes, type ShapesAsked } from './shapes';
 import type { Drawing } from './theme';
 import { blindBoxes } from './view/blindboxes';
 import { latticeObject } from './view/ellipsoid';
@@ -12,7 +13,7 @@ import { Icons } from './view/icons';
 import { Probe } from './view/probe';
 import { discard, Room } from './view/room';
 import { Stage } from './view/stage';
-import type { Viewing } from './viewing';
+import { endsOf, type Viewing } from './viewing';
 
 /** What is known of a design. */
 export interface Shown {
@@ -25,6 +26,7 @@ export interface Shown {
   difference: Field | null;
   pinned: { description: Description; field: Field } | null;
   sections: Field | null;
+  shapes: Shapes | null;
   lattice: Lattice | null;
   blind: BlindRegions | null;
   selected: string | null;
@@ -40,6 +42,7 @@ export const nothingShown = (): Shown => ({
   difference: null,
   pinned: null,
   sections: null,
+  shapes: null,
   lattice: null,
   blind: null,
   selected: null,
@@ -47,7 +50,8 @@ export const nothingShown = (): Shown => ({
   report: null,
 });
 
-const sizeOf = ({ room: { min, max } }: Description) => Math.hypot(...max.map((x, k) => x - min[k]!));
+/** The diagonal of the room, metres. */
+export const sizeOf = ({ room: { min, max } }: Description) => Math.hypot(...max.map((x, k) => x - min[k]!));
 
 /** Ends of two fields together, so that their colours mean the same. */
 function rangeOf(...fields: Field[]): { min: number; max: number; largerIsBetter: boolean } | null {
@@ -128,33 +132,81 @@ export class Picture {
     this.uncertainty.add(group);
   }
 
+  /** What the colours are of, and their scale; null: nothing has a value. */
+  private coloured(shown: Shown): { drawn: Field; kind: FieldKind; scale: Scale | null } {
+    const { viewing } = this;
+    const [kind, difference]: [FieldKind, Field | null] = viewing.sensitivity
+      ? ['sensitivity', shown.slopes]
+      : ['difference', viewing.compare === 'difference' ? shown.difference : null];
+    const drawn = difference ?? shown.field!;
+    const range = rangeOf(drawn, ...(this.besides(shown) ? [shown.pinned!.field] : []));
+    const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
+    return { drawn, kind: difference ? kind : 'field', scale };
+  }
+
+  /** The shapes that are to be seen. */
+  shapesAsked(shown: Shown): ShapesAsked {
+    if (!shown.field || !shown.description) return nothingAsked;
+    const { viewing } = this;
+    const { drawn, kind, scale } = this.coloured(shown);
+    const kinds: FieldKind[] = this.besides(shown) ? [kind, 'pinned'] : [kind];
+    const shapes = scale ? kinds.flatMap((of) => this.shapesOf(of, drawn, scale, sizeOf(shown.description!))) : [];
+    if (scale && shown.sections && viewing.relief && !viewing.sensitivity) shapes.push(this.relief('sections', scale, sizeOf(shown.description)));
+    if (!viewing.cells || shown.field.leaves === 0) return { shapes };
+    const axis = viewing.slices.indexOf(true);
+    return { shapes, leaves: axis < 0 ? {} : { axis, at: viewing.at[axis]! } };
+  }
+
+  private shapesOf(of: FieldKind, drawn: Field, scale: Scale, size: number): ShapeAsked[] {
+    const { viewing } = this;
+    const shapes: ShapeAsked[] = [];
+    const has = (kind: string) => drawn.parts.some((part) => part.kind === kind);
+    if (has('grid') && viewing.surface) shapes.push({ of, level: scale.at(viewing.level) });
+    if (has('grid') && viewing.body === 'between') shapes.push({ of, between: endsOf(viewing, scale) });
+    if (!viewing.relief) return shapes;
+    if (has('grid'))
+      for (const axis of [0, 1, 2].filter((k) => viewing.slices[k])) shapes.push(this.relief(of, scale, size, { axis, at: viewing.at[axis]! }));
+    if (has('plane')) shapes.push(this.relief(of, scale, size));
+    return shapes;
+  }
+
+  /** Of a difference no change has no height. */
+  private relief(of: FieldKind, scale: Scale, size: number, layer: { axis?: number; at?: number } = {}): ShapeAsked {
+    const low = scale.difference ? 0 : scale.min;
+    return { of, relief: { ...layer, low, high: scale.max, log10: scale.logarithmic, size: this.viewing.reliefPart * size } };
+  }
+
   /** Draw the field. @returns what the colours are of, their scale, and which values are marked */
   drawField(shown: Shown, colours: Drawing): { drawn: Field; scale: Scale | null; marks: number[] } {
     const { viewing } = this;
-    const difference = viewing.sensitivity ? shown.slopes : viewing.compare === 'difference' ? shown.difference : null;
-    const drawn = difference ?? shown.field!;
+    const { drawn, scale } = this.coloured(shown);
     const besides = this.besides(shown);
-    const range = rangeOf(drawn, ...(besides ? [shown.pinned!.field] : []));
-    const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
-    const options = this.optionsOf(drawn, scale, shown.description!.box);
-    this.fieldView.show(drawn, { ...options, sections: viewing.sensitivity ? null : shown.sections }, scale, colours.edge);
-    if (besides) this.baselineView.show(shown.pinned!.field, options, scale, colours.edge);
+    const options = this.optionsOf(drawn, shown.description!.box);
+    const meshes = (pinned: boolean) => (shown.shapes?.meshes ?? []).filter(({ asked }) => (asked.of === 'pinned') === pinned);
+    const sections = viewing.sensitivity ? null : shown.sections;
+    this.fieldView.show(drawn, { ...options, sections, meshes: meshes(false), leaves: shown.shapes?.leaves ?? null }, scale, colours.edge);
+    if (besides) this.baselineView.show(shown.pinned!.field, { ...options, meshes: meshes(true) }, scale, colours.edge);
     this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
     this.baseline.visible = besides;
     this.design.visible = true;
-    const marks = [...(options.level === null ? [] : [options.level]), ...(Array.isArray(options.volume) ? options.volume : [])];
-    return { drawn, scale, marks: marks.filter(Number.isFinite) };
+    return { drawn, scale, marks: scale ? this.marks(drawn, scale) : [] };
   }
 
-  private optionsOf(field: Field, scale: Scale | null, box: Box): FieldOptions {
+  private marks(field: Field, scale: Scale): number[] {
     const { viewing } = this;
-    const grid = field.parts.some((part): part is GridPart => part.kind === 'grid');
-    const [low, high] = viewing.between;
-    const ends = (s: Scale): [number, number] => [low === 0 ? -Infinity : s.at(low), high === 1 ? Infinity : s.at(high)];
+    if (!field.parts.some((part) => part.kind === 'grid')) return [];
+    const ends = viewing.body === 'between' ? endsOf(viewing, scale).filter((end) => end !== null) : [];
+    return [...(viewing.surface ? [scale.at(viewing.level)] : []), ...ends];
+  }
+
+  private optionsOf(field: Field, box: Box): FieldOptions {
+    const { viewing } = this;
     return {
       slices: [0, 1, 2].filter((k) => viewing.slices[k]).map((axis) => ({ axis, at: viewing.at[axis]! })),
-      level: viewing.surface && grid && scale ? scale.at(viewing.level) : null,
-      volume: !grid || !scale || viewing.body === 'none' ? null : viewing.body === 'volume' ? 'cloud' : ends(scale),
+      raised: viewing.relief,
+      cloud: viewing.body === 'volume' && field.parts.some((part) => part.kind === 'grid'),
+      meshes: [],
+      leaves: null,
       sections: null,
       box,
     };

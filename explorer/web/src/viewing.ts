@@ -1,6 +1,6 @@
 // What of the field is shown, and how.
 import type { Units } from './quantity';
-import type { Colouring } from './scale';
+import type { Colouring, Scale } from './scale';
 import type { Box, Section, Vec3 } from './server';
 
 /** A plane that isn't across an axis. */
@@ -18,6 +18,12 @@ export interface Viewing extends Colouring {
   /** Where the slice across each axis lies, metres. */
   at: Vec3;
   slants: Slant[];
+  /** Slices and planes are as high as their values. */
+  relief: boolean;
+  /** How high the end of the bar is, as a part of the room. */
+  reliefPart: number;
+  /** Of an octree. */
+  cells: boolean;
   surface: boolean;
   /** Of the surface, as a part of the colour bar. */
   level: number;
@@ -43,6 +49,9 @@ export const firstViewing = (): Viewing => ({
   slices: [false, false, true],
   at: [0, 0, 0],
   slants: [],
+  relief: false,
+  reliefPart: 0.2,
+  cells: false,
   surface: false,
   level: 0.35,
   body: 'none',
@@ -61,6 +70,12 @@ export const firstViewing = (): Viewing => ({
   frusta: true,
   names: true,
 });
+
+/** The ends of the interval, SI. Those of the bar are values of samples: there it is open. */
+export const endsOf = ({ between: [low, high] }: Viewing, scale: Scale): [number | null, number | null] => [
+  low === 0 ? null : scale.at(low),
+  high === 1 ? null : scale.at(high),
+];
 
 type Basis = { normal: Vec3; u: Vec3; v: Vec3 };
 

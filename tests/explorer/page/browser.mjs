@@ -105,6 +105,7 @@ export const settled = (page) =>
   page.waitForFunction(
     () =>
       document.body.dataset.busy === 'false' &&
+      document.body.dataset.shaping !== 'true' &&
       document.querySelector('#numbers').dataset.level === 'full',
   );
 

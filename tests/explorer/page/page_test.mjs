@@ -1,6 +1,7 @@
 // A newcomer's first minute: one click shows a coloured room, one drag changes it, and the
 // numbers are those of the command line.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { axeSource, delos, drawn, picture, pixels, probed, range, scenes, settled } from './browser.mjs';
 import { box, dragSlider, grab, laboratory, metricsOf, openScene, probe, rangeOf, save, test } from './steps.mjs';
@@ -162,6 +163,15 @@ await test('other kinds of rooms', [], async (page) => {
 
   await openScene(page, '06-furnished-lab');
   await picture(page, 'furnished');
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('Shift+C');
+  await settled(page);
+  const [near, all] = (await page.textContent('#cell-count')).match(/\d+/g).map(Number);
+  const { stdout } = spawnSync(process.env.DELOS_PROGRAM, ['field', join(scenes, '06-furnished-lab.yaml')], { encoding: 'utf8' });
+  assert.ok(stdout.includes(`${all} leaf cells`), `${all}: ${stdout}`);
+  assert.ok(near > 0 && near < all);
+  await picture(page, 'cells');
+  await page.uncheck('#view-cells');
   await page.click('[aria-label="Dark or light"]');
   await picture(page, 'light');
   await page.click('[aria-label="Dark or light"]');

@@ -1,6 +1,7 @@
 // What can be seen of a field: planes, volumes, colours, uncertainty; blind never looks good.
 import assert from 'node:assert/strict';
-import { picture, pixels, range, settled } from './browser.mjs';
+import { join } from 'node:path';
+import { delos, picture, pictures, pixels, range, scenes, settled } from './browser.mjs';
 import { openScene, test } from './steps.mjs';
 
 const shot = async (page, name) => {
@@ -35,6 +36,30 @@ await test('planes, volumes and colours', [], async (page) => {
   const between = await shot(page, 'between');
   assert.ok(between.drawn > none.drawn && between.drawn < cloud.drawn);
   await page.selectOption('#view-body', 'none');
+
+  // The surface is the one that the command line draws, also while the level is moved by keys.
+  await page.check('#view-surface');
+  await page.fill('[aria-label="Level of the surface, value"]', '25 mm');
+  await page.keyboard.press('Enter');
+  await shot(page, 'surface');
+  const surface = () => page.getAttribute('#surface-area', 'data-area').then(Number);
+  const { surfaces } = delos('render', join(scenes, '01-acoustic.yaml'), '--surface', '25 mm', '-o', join(pictures, 'surface-render.png'));
+  assert.ok(Math.abs((await surface()) / surfaces[0].area - 1) < 1e-9, `${await surface()} of ${surfaces[0].area}`);
+  await page.focus('#viewport canvas');
+  await page.keyboard.press(']');
+  await settled(page);
+  assert.notEqual(await surface(), surfaces[0].area);
+  await page.uncheck('#view-surface');
+
+  await page.focus('#viewport canvas');
+  await page.keyboard.press('z');
+  const flat = await shot(page, 'flat');
+  await page.keyboard.press('h');
+  assert.ok(await page.isChecked('#view-relief'));
+  const relief = await shot(page, 'relief');
+  assert.ok(Math.abs(relief.drawn - flat.drawn) > 0.003 * relief.all, `${relief.drawn} of ${flat.drawn}`);
+  await page.keyboard.press('h');
+  await page.keyboard.press('z');
 
   await page.focus('#viewport canvas');
   await page.keyboard.press('z');

@@ -3,7 +3,8 @@ import { h } from '../dom';
 import { Drawn, type Field } from '../field';
 import { digits, percent, quantity, siOf } from '../quantity';
 import type { Scale } from '../scale';
-import type { Viewing } from '../viewing';
+import type { Shapes } from '../shapes';
+import { endsOf, type Viewing } from '../viewing';
 import { check, choice } from './details';
 
 /** A part of the colour bar as a slider, and its value as a text. */
@@ -52,6 +53,7 @@ export class BodiesPanel {
   private readonly body: HTMLSelectElement;
   private readonly ends: [Level, Level];
   private readonly interval: HTMLElement;
+  private readonly area = h('p', { className: 'hint', id: 'surface-area' });
   private readonly count = h('p', { className: 'hint', id: 'between-count' });
 
   constructor(
@@ -90,12 +92,14 @@ export class BodiesPanel {
       'div',
       {},
       this.surfaceRow,
+      this.area,
       bodyRow,
       this.interval,
     );
   }
 
-  show(field: Field, scale: Scale | null): void {
+  /** @param shapes those that were made, whatever is asked for now */
+  show(field: Field, scale: Scale | null, shapes: Shapes | null): void {
     const { viewing } = this;
     this.element.hidden = !scale;
     // Of what has no volume, samples between two values can be counted all the same.
@@ -106,12 +110,16 @@ export class BodiesPanel {
     this.interval.hidden = viewing.body !== 'between';
     if (!scale) return;
     const { unit } = field.summary.metric;
+    const surfaces = (shapes?.meshes ?? []).filter(({ asked }) => 'level' in asked && asked.of !== 'pinned');
+    const area = surfaces.reduce((sum, mesh) => sum + mesh.area, 0);
+    this.area.hidden = surfaces.length === 0;
+    this.area.dataset.area = String(area);
+    this.area.textContent = quantity(area, 'm^2', 4);
     this.level.show(viewing.level, scale, unit);
     this.ends.forEach((level, k) => level.show(viewing.between[k]!, scale, unit));
     if (viewing.body !== 'between') return;
-    const [low, high] = viewing.between.map((part) => scale.at(part)) as [number, number];
-    // The ends of the bar are values of samples.
-    const { inside, all } = countBetween(field, viewing.between[0] === 0 ? -Infinity : low, viewing.between[1] === 1 ? Infinity : high);
+    const [low, high] = endsOf(viewing, scale);
+    const { inside, all } = countBetween(field, low ?? -Infinity, high ?? Infinity);
     this.count.dataset.count = String(inside);
     this.count.textContent = `${inside} of ${digits(all, 9)} samples, ${percent(inside / Math.max(1, all))}`;
   }

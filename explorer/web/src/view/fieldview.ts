@@ -1,13 +1,10 @@
-// The field in the room: a layer of its grid, a surface at a level, what has no grid.
+// The field in the room: layers of its grid, shapes of it, what has no grid.
 import {
   BufferGeometry,
-  DoubleSide,
   Group,
   Intersection,
   LineBasicMaterial,
   LineLoop,
-  Mesh,
-  MeshStandardMaterial,
   Object3D,
   Raycaster,
   ShaderMaterial,
@@ -16,10 +13,11 @@ import {
 import { placeOf, type Field, type GridPart, type Part } from '../field';
 import type { Scale } from '../scale';
 import type { Box, Vec3 } from '../server';
-import { isosurface } from './isosurface';
+import type { MadeMesh, Shapes } from '../shapes';
 import { paint } from './paint';
 import { discard } from './room';
 import { scatteredObject } from './scattered';
+import { leavesObject, shapeObject } from './shapes';
 import { Sheet, type SheetData } from './sheet';
 import { applyScale } from './uniforms';
 import { Volume } from './volume';
@@ -27,10 +25,13 @@ import { Volume } from './volume';
 export interface FieldOptions {
   /** Where layers across axes lie, metres; the nearest ones of the grid are shown. */
   slices: { axis: number; at: number }[];
-  /** Of the surface; null: none is shown. */
-  level: number | null;
-  /** The whole volume: as a cloud, as what lies between two values, or not. */
-  volume: 'cloud' | [number, number] | null;
+  /** Layers and planes stand as high as their values. */
+  raised: boolean;
+  /** The whole volume as a cloud. */
+  cloud: boolean;
+  /** What the server made of it. */
+  meshes: MadeMesh[];
+  leaves: Shapes['leaves'];
   /** Cuts of their own, shown within a box. */
   sections: Field | null;
   box: Box;
@@ -96,10 +97,10 @@ export class FieldView {
     for (const part of field.parts) {
       if (part.kind === 'grid') {
         for (const { axis, at } of options.slices)
-          this.sheet(field, layerOf(part, axis, layerAt(part, axis, at)), scale, edge);
-        if (scale) this.bodies(part, options, scale);
+          this.sheet(field, layerOf(part, axis, layerAt(part, axis, at)), scale, edge, options.raised);
+        if (scale && options.cloud) this.volume.show(field, part, scale);
       } else if (part.kind === 'plane') {
-        this.sheet(field, planeOf(part), scale, edge);
+        this.sheet(field, planeOf(part), scale, edge, options.raised);
       } else {
         const object = scatteredObject(field, part, part.count > 2000 ? 5 : 9);
         if (scale) applyScale(object.material, scale);
@@ -108,12 +109,9 @@ export class FieldView {
       }
     }
     for (const part of options.sections?.parts ?? [])
-      if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge, options.box);
-  }
-
-  private bodies(part: GridPart, { level, volume }: FieldOptions, scale: Scale): void {
-    if (level !== null) this.surface(part, level, scale);
-    if (volume) this.volume.show(this.field!, part, volume === 'cloud' ? null : volume, scale);
+      if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge, options.raised, options.box);
+    if (scale) for (const mesh of options.meshes) this.group.add(shapeObject(mesh, scale));
+    if (options.leaves) this.group.add(leavesObject(options.leaves, edge));
   }
 
   /** The nearest sample that a ray meets. */
@@ -137,11 +135,11 @@ export class FieldView {
     return part.first + corners[0]!;
   }
 
-  private sheet(field: Field, data: SheetData, scale: Scale | null, edge: string, within: Box | null = null): void {
+  private sheet(field: Field, data: SheetData, scale: Scale | null, edge: string, raised: boolean, within: Box | null = null): void {
     const { values, mask, summary } = field;
     const sheet = this.spare.pop() ?? new Sheet();
     // Half a device sees nothing: counts don't blend.
-    sheet.show(data, values, mask, summary.metric.name !== 'coverage', within);
+    sheet.show(data, values, mask, summary.metric.name !== 'coverage', within, raised);
     if (scale) applyScale(sheet.mesh.material as ShaderMaterial, scale);
     this.sheets.set(sheet.mesh, { sheet, field, within });
     this.group.add(sheet.mesh);
@@ -158,14 +156,5 @@ export class FieldView {
       paint(`line ${edge}`, () => new LineBasicMaterial({ color: edge })),
     );
     this.group.add(outline);
-  }
-
-  private surface(part: GridPart, level: number, scale: Scale): void {
-    const material = paint(
-      'surface',
-      () => new MeshStandardMaterial({ side: DoubleSide, roughness: 0.6 }),
-    );
-    material.color.setRGB(...scale.colour(level), 'srgb');
-    this.group.add(new Mesh(isosurface(this.field!, part, level), material));
   }
 }

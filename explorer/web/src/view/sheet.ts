@@ -34,7 +34,7 @@ precision highp float;
 precision highp sampler2D;
 uniform sampler2D samples;  // value, Drawn
 uniform vec2 counts;
-uniform bool blend;
+uniform bool blend, raised;
 uniform vec3 low, high;  // of what it is shown within, metres
 in vec2 at;
 in vec3 place;
@@ -45,6 +45,15 @@ void main() {
   if (any(lessThan(place, low)) || any(greaterThan(place, high))) discard;
   vec2 s = clamp(at, 0.0, 1.0) * (counts - 1.0);
   ivec2 last = ivec2(counts) - 1;
+  if (raised) {  // what has values stands above
+    ivec2 first = min(ivec2(s), max(last - 1, 0));
+    int values = 0;
+    for (int k = 0; k < 4; ++k) {
+      float there = texelFetch(samples, min(first + ivec2(k & 1, k >> 1), last), 0).y;
+      if (there > 0.5 && there < 1.5) ++values;
+    }
+    if (values == 4) discard;
+  }
   vec2 nearest = texelFetch(samples, min(ivec2(s + 0.5), last), 0).xy;
   if (nearest.y < 0.5 || nearest.y > 1.5) {
     colour = vec4(withoutValue(nearest.y), 1.0);
@@ -98,6 +107,7 @@ export class Sheet {
         samples: { value: null },
         counts: { value: new Vector2(1, 1) },
         blend: { value: true },
+        raised: { value: false },
         low: { value: new Vector3() },
         high: { value: new Vector3() },
       },
@@ -108,8 +118,9 @@ export class Sheet {
     this.mesh = new Mesh(new BufferGeometry(), material);
   }
 
-  /** @param within what of it is shown; null: all */
-  show(data: SheetData, values: Float32Array, mask: Uint8Array, blend: boolean, within: Box | null): void {
+  /** @param within what of it is shown; null: all
+   *  @param raised what has values stands above it, and isn't drawn on it */
+  show(data: SheetData, values: Float32Array, mask: Uint8Array, blend: boolean, within: Box | null, raised: boolean): void {
     this.data = data;
     const { low, high } = this.mesh.material.uniforms;
     const all = 1e30;
@@ -131,6 +142,7 @@ export class Sheet {
     uniforms.samples!.value = texture;
     uniforms.counts!.value.set(nu, nv);
     uniforms.blend!.value = blend;
+    uniforms.raised!.value = raised;
     this.place(data);
   }
 

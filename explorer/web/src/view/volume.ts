@@ -1,5 +1,4 @@
-// The field throughout its volume, by rays: as a cloud, or as the body of what lies between two
-// values.
+// The field throughout its volume, by rays: a cloud.
 import {
   BackSide,
   BoxGeometry,
@@ -35,8 +34,7 @@ void main() {
 /** A ray goes from where it enters the box to what is opaque. Values are blended between the
  * samples that have one, by a texture of (value, 1, 0) where there is one, (0, 0, 1) within
  * solids and (0, 0, 0) where it is blind: the first is divided by the second. Where less than
- * half of the weight has a value there is none: such places are grey in a cloud, and no part of
- * a body. */
+ * half of the weight has a value there is none: such places are grey. */
 const fragmentShader = /* glsl */ `
 precision highp float;
 precision highp sampler2D;
@@ -47,9 +45,7 @@ uniform vec2 picture, corner;    // pixels
 uniform vec3 counts, size;
 uniform vec3 camera, sight;  // in the box: where it is, which way it looks
 uniform bool parallel;       // all rays are
-uniform mat4 toClip, toBox;
-uniform bool cloud;
-uniform vec2 between;
+uniform mat4 toBox;
 in vec3 place;
 out vec4 colour;
 ${scaleShader}
@@ -63,11 +59,6 @@ vec2 look(vec3 at) {
   vec3 s = (clamp(at, 0.0, 1.0) * (counts - 1.0) + 0.5) / counts;
   vec4 sum = texture(samples, s);
   return vec2(sum.x / max(sum.y, 1e-6), sum.z > 0.5 ? -1.0 : sum.y);
-}
-
-bool within(vec3 at) {
-  vec2 v = look(at);
-  return v.y >= 0.5 && v.x >= between.x && v.x <= between.y;
 }
 
 /** Where along the ray the opaque begins: in units of its direction. */
@@ -90,46 +81,16 @@ void main() {
   float way = length(direction * stride * size) / length(size);
   vec4 sum = vec4(0.0);
   for (int i = 0; i < steps; ++i) {
-    float t = begin + (float(i) + (cloud ? 0.5 : 0.001)) * stride;
-    vec3 at = eye + t * direction;
-    if (cloud) {
-      vec2 v = look(at);
-      if (v.y < 0.0) continue;
-      bool finite = v.y >= 0.5;
-      float good = brightIsLarge ? partOf(v.x) : 1.0 - partOf(v.x);
-      float density = finite ? 0.6 + 9.0 * pow(good, 3.0) : 1.6;
-      float alpha = 1.0 - exp(-density * way);
-      sum += (1.0 - sum.a) * alpha * vec4(finite ? colourOf(v.x) : blindA, 1.0);
-      if (sum.a > 0.99) break;
-    } else if (within(at)) {
-      float outside = i == 0 ? t : t - stride;
-      for (int k = 0; k < 6 && i > 0; ++k) {
-        float centre = 0.5 * (outside + t);
-        if (within(eye + centre * direction)) t = centre; else outside = centre;
-      }
-      at = eye + t * direction;
-      vec3 h = 0.7 / max(counts - 1.0, 1.0);
-      vec3 slope;
-      for (int k = 0; k < 3; ++k) {
-        vec3 d = vec3(0.0);
-        d[k] = h[k];
-        slope[k] = (look(at + d).x - look(at - d).x) / (2.0 * h[k] * size[k]);
-      }
-      // At the sides of the box it is cut.
-      vec3 edge = stride * 1.5 * abs(direction) + 1e-4;
-      bvec3 cutLow = lessThan(at, edge), cutHigh = greaterThan(at, 1.0 - edge);
-      vec3 normal = i == 0 ? vec3(cutHigh) - vec3(cutLow) : slope;
-      float size2 = dot(normal, normal);
-      vec3 towards = normalize(-direction * size);
-      float light = size2 > 0.0 ? 0.55 + 0.45 * abs(dot(normal * inversesqrt(size2), towards)) : 0.8;
-      vec4 clip = toClip * vec4(at, 1.0);
-      gl_FragDepth = 0.5 * clip.z / clip.w + 0.5;
-      colour = vec4(light * colourOf(look(at).x), 1.0);
-      return;
-    }
+    vec2 v = look(eye + (begin + (float(i) + 0.5) * stride) * direction);
+    if (v.y < 0.0) continue;
+    bool finite = v.y >= 0.5;
+    float good = brightIsLarge ? partOf(v.x) : 1.0 - partOf(v.x);
+    float density = finite ? 0.6 + 9.0 * pow(good, 3.0) : 1.6;
+    float alpha = 1.0 - exp(-density * way);
+    sum += (1.0 - sum.a) * alpha * vec4(finite ? colourOf(v.x) : blindA, 1.0);
+    if (sum.a > 0.99) break;
   }
-  if (!cloud || sum.a < 0.004) discard;
-  gl_FragDepth = 0.0;
+  if (sum.a < 0.004) discard;
   colour = vec4(sum.rgb / sum.a, sum.a);
 }
 `;
@@ -163,8 +124,9 @@ export class Volume {
       fragmentShader,
       side: BackSide,
       transparent: true,
-      depthTest: true,
-      depthWrite: true,
+      // What is opaque is asked for; what lies behind a cloud shows.
+      depthTest: false,
+      depthWrite: false,
       uniforms: {
         ...scaleUniforms(),
         samples: { value: null },
@@ -176,11 +138,8 @@ export class Volume {
         camera: { value: new Vector3() },
         sight: { value: new Vector3() },
         parallel: { value: false },
-        toClip: { value: this.clip },
         toBox: { value: new Matrix4() },
-        cloud: { value: true },
         steps: { value: 64 },
-        between: { value: new Vector2() },
       },
     });
     this.mesh = new Mesh(unit, material);
@@ -193,20 +152,15 @@ export class Volume {
     this.mesh.visible = false;
   }
 
-  /** @param between the least and greatest value of a body; null: a cloud */
-  show(field: Field, part: GridPart, between: [number, number] | null, scale: Scale): void {
+  show(field: Field, part: GridPart, scale: Scale): void {
     const { uniforms } = this.mesh.material;
     uniforms.samples!.value?.dispose();
     uniforms.samples!.value = textureOf(field, part);
     const size = part.counts.map((n, k) => Math.max(n - 1, 1e-3) * part.step[k]!);
     uniforms.counts!.value.set(...part.counts);
     uniforms.size!.value.set(...size);
-    uniforms.cloud!.value = between === null;
-    // A body's edge is then found by halving.
     uniforms.steps!.value = Math.min(96, Math.max(40, 1.5 * Math.max(...part.counts)));
-    if (between) uniforms.between!.value.set(...between.map((x) => Math.min(3e38, Math.max(-3e38, x))));
     applyScale(this.mesh.material, scale);
-    this.mesh.material.depthWrite = between !== null; // what lies behind a cloud shows
     this.mesh.position.set(...part.origin);
     this.mesh.scale.set(size[0]!, size[1]!, size[2]!);
     this.mesh.updateMatrixWorld();
