@@ -12,7 +12,7 @@ process.env.DELOS_PICTURES ??= `${root}build/release/bench/pictures`;
 const { drive, settled } = await import('../tests/explorer/page/browser.mjs');
 const { openScene, setValue } = await import('../tests/explorer/page/steps.mjs');
 
-const events = 40;
+const moves = Array.from({ length: 40 }, (_, k) => k);
 
 /** Scene, device, its slider, and a step that makes about 10⁴ samples of it. */
 const cases = [
@@ -21,16 +21,18 @@ const cases = [
   ['09-camera-room', 'west', 'focal', null],
 ];
 
-/** Move a slider as a hand does: each event as soon as the one before is on the screen. */
-const slide = (page, label) =>
+/** Move a slider as a hand does: each event as soon as the one before is on the screen.
+ * @param values of the slider for each event
+ * @param told the element and its attribute that say what is shown */
+const slide = (page, selector, values, told) =>
   page.evaluate(
-    async ([label, events]) => {
-      const slider = document.querySelector(`input[type=range][aria-label^="${label}, "]`);
-      const numbers = document.querySelector('#numbers');
+    async ([selector, values, [element, attribute]]) => {
+      const slider = document.querySelector(selector);
+      const numbers = document.querySelector(element);
       const changed = (before) =>
         new Promise((done) => {
           const watch = new MutationObserver(() => {
-            if (numbers.dataset.revision === before) return;
+            if (numbers.dataset[attribute] === before) return;
             watch.disconnect();
             done();
           });
@@ -46,25 +48,25 @@ const slide = (page, label) =>
           }),
         );
       const times = [];
-      for (let k = 0; k < events; ++k) {
+      for (const value of values) {
         performance.clearResourceTimings();
-        const change = changed(numbers.dataset.revision);
+        const change = changed(numbers.dataset[attribute]);
         const began = performance.now();
-        slider.value = String(400 + 5 * k);
+        slider.value = String(value);
         slider.dispatchEvent(new Event('input'));
         await change;
         await shown();
         const all = performance.now() - began;
         const server = performance
           .getEntriesByType('resource')
-          .filter((e) => /api\/(change|field)$/.test(e.name))
+          .filter((e) => /api\/(change|field|shapes)$/.test(e.name))
           .reduce((sum, e) => sum + e.responseStart - e.requestStart, 0);
         times.push([all, server]);
       }
       slider.dispatchEvent(new Event('change'));
       return times;
     },
-    [label, events],
+    [selector, values, told],
   );
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -77,10 +79,20 @@ await drive([], async (page) => {
     await page.click(`[data-device=${device}]`);
     await settled(page);
     const samples = await page.textContent('#numbers span:last-child');
-    const times = await slide(page, label);
-    const [all, server] = [0, 1].map((k) => median(times.slice(5).map((t) => t[k])));
-    console.log(`${scene}, ${samples.trim()}: median ${all.toFixed(1)} ms, of which the server ${server.toFixed(1)} ms`);
+    const measure = async (what, selector, values, told) => {
+      const times = await slide(page, selector, values, told);
+      const [all, server] = [0, 1].map((k) => median(times.slice(5).map((t) => t[k])));
+      console.log(`${scene}, ${samples.trim()}, ${what}: median ${all.toFixed(1)} ms, of which the server ${server.toFixed(1)} ms`);
+      await settled(page);
+    };
+    const parameter = () =>
+      measure(label, `input[type=range][aria-label^="${label}, "]`, moves.map((k) => 400 + 5 * k), ['#numbers', 'revision']);
+    await parameter();
+    await page.check('#view-surface');
     await settled(page);
+    await measure('level of the surface', '#level', moves.map((k) => 0.2 + 0.01 * k), ['#surface-area', 'area']);
+    await parameter();
+    await page.uncheck('#view-surface');
   }
 });
 console.log(`load of the machine at the end: ${loadavg()[0].toFixed(2)}`);

@@ -211,7 +211,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
                 "The volume as a cloud, densest where it is good");
   app->add_option("--relief", command->relief,
                   "Slices and planes as surfaces that are as high as their values; the "
-                  "end of the colour bar is as high as this: '1 m'");
+                  "end of the colour bar is as high as this: '1 m', or as low: '-1 m', "
+                  "so that small values are peaks");
   app->add_option(
       "--layers", command->layers,
       "Only these of devices, frusta, names, bodies, beacons, floor, box, and cells of "

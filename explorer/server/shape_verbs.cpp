@@ -29,7 +29,8 @@ session::BetweenShape between_of(const Json& ends) {
   if (!ends.is_array() || ends.size() != 2)
     throw BadRequest("'between' must be two values, null where there is no end");
   const auto end = [&](std::size_t k, double open) {
-    return ends[k].is_null() ? open : numbers_at({ends[k]}, "between", 1)[0];
+    return ends[k].is_null() ? open
+                             : numbers_at(Json::array({ends[k]}), "between", 1)[0];
   };
   return {end(0, -kOpen), end(1, kOpen)};
 }
@@ -49,7 +50,8 @@ session::FieldShape shape_of(const Json& json) {
   if (json.contains("between")) return between_of(json["between"]);
   if (json.contains("relief") && json["relief"].is_object())
     return relief_of(json["relief"]);
-  member(json, "level");
+  if (!json.contains("level"))
+    throw BadRequest("a shape must have 'level', 'between' or 'relief'");
   return session::LevelShape{finite_at(json, "level")};
 }
 

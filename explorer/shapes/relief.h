@@ -10,7 +10,7 @@ namespace delos::shapes {
 struct Heights {
   double low = 0, high = 1;  ///< values at no height, and at `size`; SI
   bool log10 = false;        ///< heights are in proportion to log10; then low > 0
-  double size = 1;           ///< metres
+  double size = 1;           ///< metres; negative: small values are peaks
 
   /// Metres; below `low` negative. 0 where low and high are one.
   [[nodiscard]] double of(double value) const;

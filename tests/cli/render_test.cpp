@@ -13,8 +13,10 @@ TEST(Render, DrawsTheRangeThatFieldPrints) {
   const std::string file = scene("01-acoustic");
   const auto drawn = [&](const std::string& threads) {
     const Finished done =
-        run({"render", file, "-o", threads + ".png", "--width", "400", "--height",
-             "300", "--surface", "25 mm", "--json", "--threads", threads},
+        run({"render",    file,       "-o",      threads + ".png", "--width",
+             "400",       "--height", "300",     "--surface",      "25 mm",
+             "--between", "25 mm,",   "--cloud", "--relief",       "10 cm",
+             "--slice",   "z",        "--json",  "--threads",      threads},
             folder.path());
     EXPECT_EQ(done.code, 0) << done.err;
     return nlohmann::json::parse(done.out);
@@ -26,6 +28,9 @@ TEST(Render, DrawsTheRangeThatFieldPrints) {
   EXPECT_EQ(picture["width"], 400);
   EXPECT_EQ(picture["surfaces"][0]["level"], 0.025);
   EXPECT_GT(picture["surfaces"][0]["area"], 0.16) << "it crosses the column twice";
+  EXPECT_EQ(picture["bodies"][0]["low"], 0.025);
+  EXPECT_TRUE(picture["bodies"][0]["high"].is_null()) << "it has no end";
+  EXPECT_GT(picture["bodies"][0]["volume"], 0);
   drawn("2");
   const std::string png = read_file(folder.path() / "1.png");
   EXPECT_EQ(png.substr(1, 3), "PNG");
@@ -41,6 +46,11 @@ TEST(Render, RefusesWhatItCantDraw) {
       {{"--slice", "w"}, "--slice 'w': should be x, y or z"},
       {{"--slice", "z=high"}, "--slice 'z=high': "},
       {{"--surface", "1 m"}, "the field runs from 17 mm to 81.7 mm"},
+      {{"--between", "20 mm"}, "should be two values with a comma between"},
+      {{"--between", "30 mm,20 mm"}, "the first is greater than the second"},
+      {{"--between", "20 s,"}, "--between '20 s,': "},
+      {{"--relief", "high"}, "--relief 'high': "},
+      {{"--layers", "box,cells"}, "cells: the scene isn't sampled adaptively"},
       {{"--layers", "roof"}, "there is no 'roof'"}};
   for (const auto& [options, sentence] : wrong) {
     std::vector<std::string> words{"render", file, "-o", "no.png"};

@@ -19,7 +19,7 @@ export class ReliefPanel {
       changed();
     });
     this.raised = raised;
-    this.size = h('input', { type: 'range', min: '0.02', max: '1', step: '0.01', id: 'relief-size', 'aria-label': 'How high the end of the bar is' });
+    this.size = h('input', { type: 'range', min: '-1', max: '1', step: '0.02', id: 'relief-size', 'aria-label': 'How high the end of the bar is' });
     this.size.oninput = () => {
       Object.assign(viewing, { relief: true, reliefPart: Number(this.size.value) });
       changed();
