@@ -8,6 +8,7 @@
 #include "json.h"
 #include "output/write.h"
 #include "render/picture.h"
+#include "through.h"
 
 namespace delos::cli {
 namespace {
@@ -20,6 +21,7 @@ struct RenderCommand {
   std::string view = "corner", layers;
   std::vector<std::string> slices, surfaces;
   bool orthographic = false;
+  ThroughOptions through;
   render::PictureOptions picture;
 };
 
@@ -84,6 +86,8 @@ render::PictureOptions picture_of(const RenderCommand& command,
     picture.levels.push_back(
         quantity_of(level, loaded.metric.unit, "--surface '" + level + "'"));
   if (command.slices.empty() && command.surfaces.empty()) picture.slices.push_back({});
+  if (!command.through.method.empty())
+    picture.through = through_of(command.through, "through");
   return picture;
 }
 
@@ -94,7 +98,8 @@ Json answer(const render::Picture& picture, const RenderCommand& command,
             {"height", picture.height},
             {"metric", {{"name", loaded.metric.name}, {"unit", loaded.metric.unit}}},
             {"range", nullptr},
-            {"surfaces", Json::array()}};
+            {"surfaces", Json::array()},
+            {"through", picture.through}};
   if (picture.range)
     json["range"] = {{"min", picture.range->first}, {"max", picture.range->second}};
   for (const render::DrawnLevel& level : picture.levels)
@@ -129,6 +134,8 @@ int run(const RenderCommand& command) {
     for (const render::DrawnLevel& level : drawn_picture.levels)
       std::cout << "surface at " << format_quantity(level.level, loaded.metric.unit)
                 << ": " << format_quantity(level.area, "m^2") << "\n";
+    if (!drawn_picture.through.is_null())
+      std::cout << through_words(drawn_picture.through, loaded.metric.unit) << "\n";
     std::cout << "wrote " << command.out.string() << "\n";
   }
   return drawn.field.cancelled ? kCancelled : kDone;
@@ -155,6 +162,7 @@ void add_render_command(CLI::App& program, int& exit_code) {
   app->add_option("--surface", command->surfaces,
                   "A surface on which the metric has one value: '1 mm'; repeatable")
       ->allow_extra_args(false);
+  add_through_options(*app, "through", command->through);
   app->add_option(
       "--layers", command->layers,
       "Only these of devices, frusta, names, bodies, beacons, floor, box; or "
@@ -177,6 +185,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
       "'z=1.2 m' -o plan.png\n"
       "  delos render scenes/01-acoustic.yaml --view 60,15 --surface '25 mm' --surface "
       "'40 mm' --log10 -o surfaces.png\n"
+      "  delos render scenes/17-crowded-room.yaml --through natural-neighbour --relief "
+      "'50 cm' -o path.png\n"
       "  delos render scenes/07-torso.yaml --metric coverage --layers devices,names -o "
       "torso.png");
   app->callback([command, &exit_code] { exit_code = run(*command); });

@@ -54,7 +54,8 @@ class FieldPainter {
       pen_.raster.line(pen_.eye, pen_.eye.seen(a), pen_.eye.seen(b), pen_.ground.lines);
   }
 
-  void points(const SamplePart& part) {
+  /// @param ringed so that they are seen on what has their colour
+  void points(const SamplePart& part, bool ringed = false) {
     const double radius = part.count > 2000 ? 2.5 : 4.5;
     for (std::size_t i = part.first; i < part.first + part.count; ++i) {
       const bool value = drawn_.mask[i] == Drawn::value;
@@ -62,6 +63,10 @@ class FieldPainter {
                        value ? of_value(drawn_.field.value[i])
                        : drawn_.mask[i] == Drawn::inside ? pen_.ground.solid
                                                          : pen_.ground.blind);
+      // What lies on one spot already stays.
+      if (ringed)
+        pen_.raster.disc(pen_.eye, pen_.eye.seen(point(i)), radius + 1, !value,
+                         pen_.ground.lines);
     }
   }
 
@@ -247,6 +252,17 @@ std::vector<DrawnLevel> draw_field_layer(const Pen& pen,
     throw Refusal(Blame::question,
                   "surface: the scene samples no volume that one could run through");
   return levels;
+}
+
+void draw_through(const Pen& pen, const session::DrawnField& through,
+                  const std::optional<ColourRange>& colours) {
+  FieldPainter painter(pen, through, colours);
+  for (const SamplePart& part : through.field.samples.parts) {
+    if (const auto* surface = std::get_if<SurfaceShape>(&part.shape))
+      painter.surface(part, *surface);
+    else
+      painter.points(part, true);
+  }
 }
 
 }  // namespace delos::render

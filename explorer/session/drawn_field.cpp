@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "delos/sampling/samples.h"
+#include "output/write.h"
 
 namespace delos::session {
 namespace {
@@ -175,6 +176,14 @@ DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
         make_samples(coarser(loaded.scene.samples, kOctreeSamples)),
         ShadowEdges::exact);
   drawn.mask = drawn_as(drawn.field);
+  return drawn;
+}
+
+DrawnField drawn_over(Field field) {
+  DrawnField drawn;
+  drawn.summary = Json::parse(field_json(field));
+  drawn.mask = drawn_as(field);
+  drawn.field = std::move(field);
   return drawn;
 }
 

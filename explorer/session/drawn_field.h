@@ -32,6 +32,9 @@ struct DrawnField {
 [[nodiscard]] DrawnField draw_field(const LoadedScene& loaded, std::size_t most,
                                     const FieldOptions& options);
 
+/// A field to be drawn that no scene was evaluated for.
+[[nodiscard]] DrawnField drawn_over(Field field);
+
 /// The same sets with about `most` samples or fewer, where they are grids; adaptive
 /// ones become grids.
 [[nodiscard]] std::vector<SampleSet> coarser(std::vector<SampleSet> sets,

@@ -1,6 +1,7 @@
 // delos compare-measured, from files to words and pictures.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -39,6 +40,55 @@ TEST(CompareMeasured, PlacesOfNineSites) {
   // 89.2 mm at the true sites (docs/verification.md); here at the places in the mean.
   EXPECT_NEAR(size(json["predicted"]), 0.0892, 0.0005);
   EXPECT_EQ(read_file(map).substr(1, 3), "PNG");
+}
+
+/// The same windows as a surface in the room, of what is measured, predicted, or both.
+TEST(CompareMeasured, DrawsItsWindowsAsASurface) {
+  const Folder folder;
+  std::vector<std::string> pictures;
+  const auto drawn = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"compare-measured",
+                                   scene("18-floor-robot"),
+                                   data("bearing-tracker/places.csv"),
+                                   "--degree",
+                                   "0",
+                                   "--window",
+                                   "200",
+                                   "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words, folder.path());
+  };
+  const Json json = drawn({}).json();
+  ASSERT_EQ(json["windows"].size(), 9u);
+  // By an independent script the places of (3, 3) scatter by 36.9 mm.
+  bool found = false;
+  for (const Json& w : json["windows"])
+    if (std::hypot(w["at"][0].get<double>() - 3, w["at"][1].get<double>() - 3) < 0.1) {
+      found = true;
+      EXPECT_NEAR(w["measured"], 0.0369, 0.0002);
+    }
+  EXPECT_TRUE(found);
+  for (const char* of : {"measured", "predicted", "ratio"})
+    for (const bool in_room : {false, true}) {
+      const std::string file = std::string(of) + (in_room ? "-room.png" : ".png");
+      std::vector<std::string> words{"--out", file, "--of", of};
+      if (in_room) words.insert(words.end(), {"--view", "corner", "--relief", "1 m"});
+      const Finished done = drawn(words);
+      ASSERT_EQ(done.code, 0) << done.err;
+      pictures.push_back(read_file(folder.path() / file));
+      EXPECT_EQ(pictures.back().substr(1, 3), "PNG");
+    }
+  std::ranges::sort(pictures);
+  EXPECT_EQ(std::ranges::adjacent_find(pictures), pictures.end()) << "all differ";
+  for (const auto& [words, sentence] :
+       std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--of", "both"}, "--of 'both': choose measured, predicted or ratio"},
+           {{"--surface", "kriging"}, "--surface 'kriging': choose natural-neighbour"},
+           {{"--view", "top", "--out", "x.csv"}, "--view is of a picture"}}) {
+    const Finished done = drawn(words);
+    EXPECT_EQ(done.code, 2);
+    EXPECT_NE(done.err.find(sentence), std::string::npos) << done.err;
+  }
 }
 
 /// The recorded ranges: by an independent script biases of 88 to 155 mm and scatter of

@@ -113,6 +113,7 @@ export class App {
       answered: () => this.showProbe(),
       uncertain: () => this.showUncertainty(),
       valued: (worth) => this.layout.devices.value(worth),
+      refused: (error) => this.failed(error),
     });
     this.work = new Work({
       change: (verb, body) => this.change(verb, body),
@@ -174,7 +175,7 @@ export class App {
     sessionStorage.setItem(sessionKey, session.name);
     Object.assign(this.shown, nothingShown(), { description });
     this.ask(null);
-    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
+    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], through: firstViewing().through, surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
     this.shown.around = await session.ask<Around>('around');
     this.drawRoom();
     this.picture.stage.look('corner', description.room);

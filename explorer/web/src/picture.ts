@@ -14,6 +14,12 @@ import { discard, Room } from './view/room';
 import { Stage } from './view/stage';
 import type { Viewing } from './viewing';
 
+/** What colours are of; verbs of the server. */
+export type Coloured = 'field' | 'difference' | 'sensitivity';
+
+export const coloured = ({ sensitivity, compare }: Viewing, { description }: Shown): Coloured =>
+  sensitivity ? 'sensitivity' : compare === 'difference' && description!.pinned !== null ? 'difference' : 'field';
+
 /** What is known of a design. */
 export interface Shown {
   description: Description | null;
@@ -25,6 +31,8 @@ export interface Shown {
   difference: Field | null;
   pinned: { description: Description; field: Field } | null;
   sections: Field | null;
+  /** A surface through samples without a grid, and these. */
+  through: (Field & { of: Coloured }) | null;
   lattice: Lattice | null;
   blind: BlindRegions | null;
   selected: string | null;
@@ -40,6 +48,7 @@ export const nothingShown = (): Shown => ({
   difference: null,
   pinned: null,
   sections: null,
+  through: null,
   lattice: null,
   blind: null,
   selected: null,
@@ -136,13 +145,19 @@ export class Picture {
     const range = rangeOf(drawn, ...(besides ? [shown.pinned!.field] : []));
     const scale = range && (difference ? Scale.ofDifference(range.min, range.max, range.largerIsBetter) : Scale.of(range, viewing));
     const options = this.optionsOf(drawn, scale, shown.description!.box);
-    this.fieldView.show(drawn, { ...options, sections: viewing.sensitivity ? null : shown.sections }, scale, colours.edge);
+    this.fieldView.show(drawn, { ...options, sections: viewing.sensitivity ? null : shown.sections, through: this.throughOf(shown) }, scale, colours.edge);
     if (besides) this.baselineView.show(shown.pinned!.field, options, scale, colours.edge);
     this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
     this.baseline.visible = besides;
     this.design.visible = true;
     const marks = [...(options.level === null ? [] : [options.level]), ...(Array.isArray(options.volume) ? options.volume : [])];
     return { drawn, scale, marks: marks.filter(Number.isFinite) };
+  }
+
+  /** The surface through samples, where it is of what is shown now. */
+  private throughOf(shown: Shown): Field | null {
+    const { viewing } = this;
+    return viewing.through.method !== 'none' && shown.through?.of === coloured(viewing, shown) ? shown.through : null;
   }
 
   private optionsOf(field: Field, scale: Scale | null, box: Box): FieldOptions {
@@ -155,6 +170,7 @@ export class Picture {
       level: viewing.surface && grid && scale ? scale.at(viewing.level) : null,
       volume: !grid || !scale || viewing.body === 'none' ? null : viewing.body === 'volume' ? 'cloud' : ends(scale),
       sections: null,
+      through: null,
       box,
     };
   }

@@ -9,12 +9,14 @@ import { ColouringPanel } from './colouring';
 import { check, details } from './details';
 import { SensitivityPanel } from './sensitivity';
 import { SlicesPanel } from './slices';
+import { ThroughPanel } from './through';
 import { UncertaintyPanel } from './uncertainty';
 
 export class ViewingPanel {
   readonly element: HTMLElement;
   readonly slices: SlicesPanel;
   readonly sensitivity: SensitivityPanel;
+  private readonly through: ThroughPanel;
   private readonly bodies: BodiesPanel;
   private readonly colouring: ColouringPanel;
   private readonly uncertainty: UncertaintyPanel;
@@ -27,6 +29,7 @@ export class ViewingPanel {
   ) {
     this.slices = new SlicesPanel(viewing, changed);
     this.sensitivity = new SensitivityPanel(viewing, changed);
+    this.through = new ThroughPanel(viewing, changed);
     this.bodies = new BodiesPanel(viewing, changed);
     this.colouring = new ColouringPanel(viewing, changed);
     this.uncertainty = new UncertaintyPanel(viewing, changed);
@@ -38,6 +41,7 @@ export class ViewingPanel {
       { className: 'panel viewing' },
       h('h2', {}, 'View'),
       this.slices.element,
+      this.through.element,
       this.bodies.element,
       this.sensitivity.element,
       h('div', { className: 'checks' }, frustaLabel, namesLabel),
@@ -51,8 +55,9 @@ export class ViewingPanel {
     this.changed();
   }
 
-  show(field: Field, scale: Scale | null, regions: BlindRegions | null, enlarged: number): void {
+  show(field: Field, through: Field | null, scale: Scale | null, regions: BlindRegions | null, enlarged: number): void {
     this.slices.show(field);
+    this.through.show(field, through?.summary ?? null);
     this.bodies.show(field, scale);
     this.colouring.show(field);
     this.uncertainty.show(regions, enlarged);
