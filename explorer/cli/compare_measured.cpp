@@ -184,9 +184,9 @@ std::string window_rows(const std::vector<measured::Window>& windows) {
 }
 
 /// The surface in its room.
-std::string picture_of(const MeasuredCommand& command,
-                       const std::vector<measured::Window>& windows,
-                       const LoadedScene& loaded) {
+std::string room_picture(const MeasuredCommand& command,
+                         const std::vector<measured::Window>& windows,
+                         const LoadedScene& loaded) {
   render::PictureOptions picture;
   picture.view = read_option([&] { return render::view_of(command.view); });
   picture.through = through_of(command.surface, "surface");
@@ -207,7 +207,7 @@ void write_out(const MeasuredCommand& command,
   if (command.out.extension() == ".csv") {
     problem = write_text(command.out, window_rows(windows));
   } else if (!command.view.empty()) {
-    problem = write_text(command.out, picture_of(command, windows, loaded));
+    problem = write_text(command.out, room_picture(command, windows, loaded));
   } else {
     try {
       const Field field = measured::measured_surface(

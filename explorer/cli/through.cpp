@@ -2,6 +2,7 @@
 
 #include "delos/text/format.h"
 #include "delos/text/words.h"
+#include "output/picture_words.h"
 #include "quantity.h"
 #include "session/named.h"
 

@@ -143,22 +143,22 @@ TEST(SurfaceThrough, NeverDrawsBlindAsGood) {
         EXPECT_EQ(drawn.mask[i], Drawn::value) << to_string(method);
       }
     }
-    // A square of a grid step of 4/99.
-    EXPECT_NEAR(static_cast<double>(blind), 24.5 * 24.5, 50);
+    // 25 by 25 places, 4 cm apart.
+    EXPECT_EQ(blind, 625u);
     EXPECT_GE(drawn.summary["through"]["blind"], blind);
   }
 }
 
-/// Where nothing is known there is no surface: two triangles that meet at a point leave
-/// half of their box free.
+/// Where nothing is known there is no surface: a triangle leaves
+/// half of its box free.
 TEST(SurfaceThrough, EndsWhereTheMethodSaysNothing) {
   const DrawnField of = points_over({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}});
   const DrawnField drawn = surface_through(of, {{ScatteredMethod::linear}});
-  EXPECT_NEAR(area_of(drawn), 2, 0.03);
+  EXPECT_NEAR(area_of(drawn), 2, 0.05);
   EXPECT_NEAR(area_of(surface_through(of, {{ScatteredMethod::nearest}})), 4, 1e-9);
   Through near{{ScatteredMethod::inverse_distance, 2, 0.3}};
   const double discs = area_of(surface_through(of, near));  // three quarters of π r²
-  EXPECT_NEAR(discs, 0.75 * 3.14159265 * 0.09, 0.02);
+  EXPECT_NEAR(discs, 0.75 * 3.14159265 * 0.09, 0.03);
   near.how.radius = 1e-3;
   EXPECT_THROW(surface_through(of, near), Refusal);
 }
