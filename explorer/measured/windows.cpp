@@ -48,9 +48,9 @@ Field window_field(const std::vector<Window>& windows, WindowValue what,
                    const std::string& scene) {
   Field field;
   field.scene = scene;
-  field.metric = what == WindowValue::measured    ? "measured scatter"
-                 : what == WindowValue::predicted ? "predicted scatter"
-                                                  : "measured/predicted";
+  field.metric = what == WindowValue::measured    ? "measured σ"
+                 : what == WindowValue::predicted ? "predicted σ"
+                                                  : "ratio of σ";
   field.unit = what == WindowValue::ratio ? "1" : "m";
   for (const Window& w : windows) {
     const double ratio =

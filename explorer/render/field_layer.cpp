@@ -16,6 +16,9 @@ using session::Blame;
 using session::Drawn;
 using session::Refusal;
 
+/// More samples than these would hide the surface through them.
+constexpr std::size_t kMostRinged = 500;
+
 /// Samples of a parallelogram, the first direction fastest.
 struct Sheet {
   Eigen::Vector3d origin, u, v;
@@ -260,7 +263,7 @@ void draw_through(const Pen& pen, const session::DrawnField& through,
   for (const SamplePart& part : through.field.samples.parts) {
     if (const auto* surface = std::get_if<SurfaceShape>(&part.shape))
       painter.surface(part, *surface);
-    else
+    else if (part.count <= kMostRinged)
       painter.points(part, true);
   }
 }

@@ -24,6 +24,9 @@ import { Sheet, type SheetData } from './sheet';
 import { applyScale } from './uniforms';
 import { Volume } from './volume';
 
+/** More samples than these would hide the surface through them. */
+const mostRinged = 500;
+
 export interface FieldOptions {
   /** Where layers across axes lie, metres; the nearest ones of the grid are shown. */
   slices: { axis: number; at: number }[];
@@ -106,7 +109,8 @@ export class FieldView {
         this.withoutGrid(field, part, scale);
       }
     }
-    for (const part of options.through?.parts ?? []) if (isScattered(part)) this.withoutGrid(options.through!, part, scale);
+    for (const part of options.through?.parts ?? [])
+      if (part.kind === 'surface' || (part.kind === 'points' && part.count <= mostRinged)) this.withoutGrid(options.through!, part, scale);
     for (const part of options.sections?.parts ?? [])
       if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge, options.box);
   }
