@@ -91,6 +91,30 @@ TEST(CompareMeasured, DrawsItsWindowsAsASurface) {
   }
 }
 
+/// 28 simulated ways along a rail that sags. About a curve of degree 4 they scatter by
+/// what docs/measured.md has of the filter's errors, 0.9 of P∞. About a straight line
+/// the sag, of at most c = 5.03 mm and along s = 0 to 1 of the form 16 c s² (1 − s)²,
+/// scatters by c √(256/630 − 256/900) = 1.756 mm as well: ten times P∞, as published.
+TEST(CompareMeasured, WaysAlongASaggingRail) {
+  const auto scatter = [](const char* degree) {
+    const Finished done = run({"compare-measured", scene("hiball/six-lepd"),
+                               data("hiball-rail/paths.csv"), "--degree", degree,
+                               "--window", "15", "--json"});
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.json();
+  };
+  const Json curved = scatter("4"), straight = scatter("1");
+  EXPECT_EQ(curved["windows"].size(), 140u);
+  for (const char* axis : {"x", "y", "z"})
+    EXPECT_NEAR(curved["ratio"][axis], 0.9, 0.05) << axis;
+  // Two of 75 degrees of freedom are the line's.
+  EXPECT_NEAR(
+      straight["scatter"]["z"],
+      std::hypot(1.756e-3, curved["scatter"]["z"].get<double>()) * std::sqrt(75 / 73.),
+      0.01e-3);
+  EXPECT_GT(straight["ratio"]["z"], 9);
+}
+
 /// The recorded ranges: by an independent script biases of 88 to 155 mm and scatter of
 /// 59 to 163 mm a radio.
 TEST(CompareMeasured, RangesOfFourRadios) {
