@@ -211,10 +211,12 @@ await test('objects', [join(scenes, '07-torso.yaml')], async (page) => {
   // Section 4.1.4: a surface through the vertices, over x and z; the command line's has its range.
   const file = join(scenes, '07-torso.yaml');
   const folder = mkdtempSync(join(tmpdir(), 'delos-through-'));
+  await page.selectOption('#through-method', 'linear');
   await page.selectOption('#through-over', 'y');
   for (const method of ['nearest', 'natural-neighbour']) {
     await page.selectOption('#through-method', method);
     await page.waitForFunction((m) => document.querySelector('#through-words').dataset.method === m, method);
+    await settled(page);
     const words = await page.$eval('#through-words', (e) => ({ ...e.dataset }));
     const { through } = delos('render', file, '-o', join(folder, 'torso.png'), '--through', method, '--over', 'y');
     for (const key of ['min', 'max', 'places', 'blind']) assert.equal(Number(words[key]), through[key], `${method}: ${key}`);
@@ -225,7 +227,7 @@ await test('objects', [join(scenes, '07-torso.yaml')], async (page) => {
   await settled(page);
   await picture(page, 'artemis-torso-surface');
   const { x, y, width, height } = await page.locator('#viewport canvas').boundingBox();
-  await page.mouse.click(x + 0.45 * width, y + height / 2);
+  await page.mouse.click(x + 0.41 * width, y + 0.615 * height);
   await page.waitForSelector('#report [data-metric]');
   await settled(page);
   const at = await page.$$eval('form.at input', (inputs) => inputs.map((input) => Number(input.value)));
