@@ -14,10 +14,12 @@
 #include "json.h"
 #include "measured/windows.h"
 #include "recordings/recording.h"
+#include "render/picture.h"
 #include "session/measured_json.h"
 #include "session/named.h"
 #include "session/written_field.h"
 #include "summary.h"
+#include "through.h"
 
 namespace delos::cli {
 namespace {
@@ -30,22 +32,26 @@ struct MeasuredCommand {
   SceneOptions options;
   std::filesystem::path scene, out;
   std::vector<std::filesystem::path> files;
-  std::string surface = "natural-neighbour", skip = "0 s", filter = "extended";
+  std::string of = "measured", view, skip = "0 s", filter = "extended";
+  ThroughOptions surface{.method = "natural-neighbour"};
   int degree = 4;
   std::size_t window = 25;
   bool debias = false;
 };
 
-ScatteredMethod interpolation_named(const std::string& name) {
-  std::vector<std::string> known;
-  for (const ScatteredMethod method :
-       {ScatteredMethod::natural_neighbour, ScatteredMethod::linear,
-        ScatteredMethod::nearest, ScatteredMethod::inverse_distance,
-        ScatteredMethod::minimum_curvature}) {
-    if (name == measured::to_string(method)) return method;
-    known.emplace_back(measured::to_string(method));
-  }
-  throw Failure{kUsage, "--surface '" + name + "': choose " + joined(known)};
+struct NamedValue {
+  const char* name;
+  measured::WindowValue value;
+};
+constexpr NamedValue kWindowValues[3] = {
+    {"measured", measured::WindowValue::measured},
+    {"predicted", measured::WindowValue::predicted},
+    {"ratio", measured::WindowValue::ratio}};
+
+measured::WindowValue window_value_named(const std::string& name) {
+  const auto* found = std::ranges::find(kWindowValues, name, &NamedValue::name);
+  if (found != std::end(kWindowValues)) return found->value;
+  throw Failure{kUsage, "--of '" + name + "': choose measured, predicted or ratio"};
 }
 
 /// The scene's first orientation.
@@ -165,25 +171,48 @@ void warn_of_rates(const ReadingsComparison& answer) {
   }
 }
 
-void write_out(const MeasuredCommand& command, const PosesComparison& answer,
+std::string window_rows(const std::vector<measured::Window>& windows) {
+  std::ostringstream rows;
+  rows.precision(9);
+  rows << "x [m],y [m],z [m],measured [m],predicted [m]\n";
+  for (const measured::Window& w : windows) {
+    rows << w.p.x() << "," << w.p.y() << "," << w.p.z() << "," << w.measured << ",";
+    if (std::isfinite(w.predicted)) rows << w.predicted;
+    rows << "\n";
+  }
+  return rows.str();
+}
+
+/// The surface in its room.
+std::string room_picture(const MeasuredCommand& command,
+                         const std::vector<measured::Window>& windows,
+                         const LoadedScene& loaded) {
+  render::PictureOptions picture;
+  picture.view = read_option([&] { return render::view_of(command.view); });
+  picture.through = through_of(command.surface, "surface");
+  return read_option([&] {
+    return png_of(render::render_picture(
+        loaded,
+        session::drawn_over(measured::window_field(
+            windows, window_value_named(command.of), loaded.scene.name)),
+        picture));
+  });
+}
+
+void write_out(const MeasuredCommand& command,
+               const std::vector<measured::Window>& windows,
                const LoadedScene& loaded) {
   if (command.out.empty()) return;
-  const auto windows = measured::windows_of(answer, command.window);
   std::string problem;
   if (command.out.extension() == ".csv") {
-    std::ostringstream rows;
-    rows.precision(9);
-    rows << "x [m],y [m],z [m],measured [m],predicted [m]\n";
-    for (const measured::Window& w : windows) {
-      rows << w.p.x() << "," << w.p.y() << "," << w.p.z() << "," << w.measured << ",";
-      if (std::isfinite(w.predicted)) rows << w.predicted;
-      rows << "\n";
-    }
-    problem = write_text(command.out, rows.str());
+    problem = write_text(command.out, window_rows(windows));
+  } else if (!command.view.empty()) {
+    problem = write_text(command.out, room_picture(command, windows, loaded));
   } else {
     try {
       const Field field = measured::measured_surface(
-          windows, interpolation_named(command.surface), loaded.scene.name);
+          windows, window_value_named(command.of),
+          through_of(command.surface, "surface").how, loaded.scene.name);
       problem = write_field(field, command.out);
     } catch (const std::invalid_argument& error) {
       problem = command.out.string() + ": " + error.what();
@@ -201,9 +230,10 @@ int compare_places(const MeasuredCommand& command, const LoadedScene& loaded) {
   if (const auto* problem = std::get_if<std::string>(&answer))
     throw Failure{kDiagnostics, *problem};
   const auto& poses = std::get<PosesComparison>(answer);
-  write_out(command, poses, loaded);
+  const auto windows = measured::windows_of(poses, command.window);
+  write_out(command, windows, loaded);
   if (command.options.json)
-    print_document(session::measured_json(poses, loaded));
+    print_document(session::measured_json(poses, windows, loaded));
   else
     print(std::cout << loaded.scene.name << ", curves of degree " << command.degree
                     << "\n",
@@ -249,7 +279,10 @@ int compare_read(const MeasuredCommand& command, const LoadedScene& loaded) {
 
 int run(const MeasuredCommand& command) {
   PluginRegistry plugins(plugin_folders(command.options.plugin_dirs));
-  interpolation_named(command.surface);
+  static_cast<void>(through_of(command.surface, "surface"));
+  static_cast<void>(window_value_named(command.of));
+  if (!command.view.empty() && command.out.extension() != ".png")
+    throw Failure{kUsage, "--view is of a picture: --out should end in .png"};
   const LoadedScene loaded = load(command.scene, command.options, plugins);
   try {
     return measured::has_readings(command.files.front())
@@ -288,17 +321,23 @@ void add_compare_measured_command(CLI::App& program, int& exit_code) {
   app->add_option("--window", command->window, "Places a window")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app->add_option("--surface", command->surface,
-                  "natural-neighbour, linear, nearest, inverse-distance or "
-                  "minimum-curvature")
+  add_through_options(*app, "surface", command->surface);
+  app->add_option("--relief", command->surface.relief,
+                  "Of that surface: lift the greatest value above the least by this")
       ->capture_default_str();
+  app->add_option("--of", command->of,
+                  "What the surface goes through: measured, predicted or ratio")
+      ->capture_default_str();
+  app->add_option("--view", command->view,
+                  "The surface in its room, as delos render looks at it: corner, top, "
+                  "…, or azimuth,elevation[,distance]");
   add_scene_options(*app, command->options);
   app->footer(
       "Examples:\n"
       "  delos compare-measured scenes/34-uwb-labyrinth.yaml \\\n"
       "    scenes/data/uwb-labyrinth/readings.csv --skip '5 s' --debias\n"
       "  delos compare-measured scenes/hiball/six-lepd.yaml rail1.tum rail2.tum "
-      "--degree 4 --out rail.png");
+      "--degree 4 --out rail.png --view 215,30 --relief '1 m'");
   app->callback([command, &exit_code] { exit_code = run(*command); });
 }
 

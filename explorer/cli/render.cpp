@@ -10,6 +10,7 @@
 #include "json.h"
 #include "output/write.h"
 #include "render/picture.h"
+#include "through.h"
 
 namespace delos::cli {
 namespace {
@@ -23,6 +24,7 @@ struct RenderCommand {
   std::vector<std::string> slices, surfaces, between;
   std::string relief;
   bool orthographic = false;
+  ThroughOptions through;
   render::PictureOptions picture;
 };
 
@@ -116,6 +118,10 @@ render::PictureOptions picture_of(const RenderCommand& command,
   if (command.slices.empty() && command.surfaces.empty() && command.between.empty() &&
       !picture.cloud)
     picture.slices.push_back({});
+  if (!command.through.method.empty()) {
+    picture.through = through_of(command.through, "through");
+    picture.through->relief = picture.reliefs ? picture.relief_height : 0;
+  }
   return picture;
 }
 
@@ -127,7 +133,8 @@ Json answer(const render::Picture& picture, const RenderCommand& command,
             {"metric", {{"name", loaded.metric.name}, {"unit", loaded.metric.unit}}},
             {"range", nullptr},
             {"surfaces", Json::array()},
-            {"bodies", Json::array()}};
+            {"bodies", Json::array()},
+            {"through", picture.through}};
   if (picture.range)
     json["range"] = {{"min", picture.range->first}, {"max", picture.range->second}};
   for (const render::DrawnShape& shape : picture.shapes)
@@ -177,6 +184,8 @@ int run(const RenderCommand& command) {
   } else {
     for (const render::DrawnShape& shape : drawn_picture.shapes)
       std::cout << words_of(shape, loaded.metric.unit) << "\n";
+    if (!drawn_picture.through.is_null())
+      std::cout << through_words(drawn_picture.through, loaded.metric.unit) << "\n";
     std::cout << "wrote " << command.out.string() << "\n";
   }
   return drawn.field.cancelled ? kCancelled : kDone;
@@ -209,10 +218,12 @@ void add_render_command(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   app->add_flag("--cloud", command->picture.cloud,
                 "The volume as a cloud, densest where it is good");
-  app->add_option("--relief", command->relief,
-                  "Slices and planes as surfaces that are as high as their values; the "
-                  "end of the colour bar is as high as this: '1 m', or as low: '-1 m', "
-                  "so that small values are peaks");
+  app->add_option(
+      "--relief", command->relief,
+      "Slices, planes and a surface through samples as high as their values; the "
+      "end of the colour bar is as high as this: '1 m', or as low: '-1 m', "
+      "so that small values are peaks");
+  add_through_options(*app, "through", command->through);
   app->add_option(
       "--layers", command->layers,
       "Only these of devices, frusta, names, bodies, beacons, floor, box, and cells of "
@@ -238,6 +249,8 @@ void add_render_command(CLI::App& program, int& exit_code) {
       "  delos render scenes/04-motion-capture.yaml --slice 'z=5.6 ft' --relief '1.5 "
       "m' -o "
       "relief.png\n"
+      "  delos render scenes/17-crowded-room.yaml --through natural-neighbour --relief "
+      "'50 cm' -o path.png\n"
       "  delos render scenes/07-torso.yaml --metric coverage --layers devices,names -o "
       "torso.png");
   app->callback([command, &exit_code] { exit_code = run(*command); });

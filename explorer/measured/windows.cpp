@@ -8,6 +8,16 @@
 #include "delos/sampling/sets.h"
 
 namespace delos::measured {
+namespace {
+
+void add_value(Field& field, const Eigen::Vector3d& at, double value) {
+  field.samples.points.push_back(at);
+  field.value.push_back(value);
+  field.observable.push_back(std::isfinite(value));
+  field.lost.push_back(0);
+}
+
+}  // namespace
 
 std::vector<Window> windows_of(const PosesComparison& comparison, std::size_t size) {
   std::vector<Window> windows;
@@ -34,53 +44,56 @@ std::vector<Window> windows_of(const PosesComparison& comparison, std::size_t si
   return windows;
 }
 
-const char* to_string(ScatteredMethod method) {
-  switch (method) {
-    case ScatteredMethod::nearest:
-      return "nearest";
-    case ScatteredMethod::linear:
-      return "linear";
-    case ScatteredMethod::natural_neighbour:
-      return "natural-neighbour";
-    case ScatteredMethod::inverse_distance:
-      return "inverse-distance";
-    case ScatteredMethod::minimum_curvature:
-      return "minimum-curvature";
+Field window_field(const std::vector<Window>& windows, WindowValue what,
+                   const std::string& scene) {
+  Field field;
+  field.scene = scene;
+  field.metric = what == WindowValue::measured    ? "measured σ"
+                 : what == WindowValue::predicted ? "predicted σ"
+                                                  : "ratio of σ";
+  field.unit = what == WindowValue::ratio ? "1" : "m";
+  for (const Window& w : windows) {
+    const double ratio =
+        std::isfinite(w.predicted) ? w.measured / w.predicted : kInfinity;
+    add_value(field, w.p,
+              what == WindowValue::measured    ? w.measured
+              : what == WindowValue::predicted ? w.predicted
+                                               : ratio);
   }
-  return "";
+  field.samples.parts = {{"", 0, windows.size(), ScatteredShape{}}};
+  field.evaluated = windows.size();
+  return field;
 }
 
-Field measured_surface(const std::vector<Window>& windows, ScatteredMethod method,
-                       const std::string& scene) {
+Field measured_surface(const std::vector<Window>& windows, WindowValue what,
+                       const ScatteredOptions& how, const std::string& scene) {
+  const Field at_windows = window_field(windows, what, scene);
   std::vector<Eigen::Vector2d> points;
-  std::vector<double> values;
   Eigen::AlignedBox2d box;
   double height = 0;
   for (const Window& w : windows) {
     points.emplace_back(w.p.head<2>());
-    values.push_back(w.measured);
     box.extend(points.back());
     height += w.p.z() / static_cast<double>(windows.size());
   }
   if (!(box.sizes().minCoeff() > 0))
     throw std::invalid_argument("places in one line, or one alone, span no surface");
-  const ScatteredSurface surface(points, values, method);
+  const ScatteredSurface surface(points, at_windows.value, how);
   const double step = box.sizes().maxCoeff() / 60;
   Field field;
   field.scene = scene;
-  field.metric = "measured scatter";
-  field.unit = "m";
-  field.samples =
+  field.metric = at_windows.metric;
+  field.unit = at_windows.unit;
+  const Samples samples =
       make_samples({{"", VolumeSampling{{box.min().x(), box.min().y(), height},
                                         {box.max().x(), box.max().y(), height},
                                         Eigen::Vector3d::Constant(step)}}});
-  for (const Eigen::Vector3d& p : field.samples.points) {
+  for (const Eigen::Vector3d& p : samples.points) {
     const double value = surface.at(p.head<2>());
-    field.value.push_back(std::isfinite(value) ? value : kInfinity);
-    field.observable.push_back(std::isfinite(value));
-    field.lost.push_back(0);
+    add_value(field, p, std::isfinite(value) ? value : kInfinity);
   }
-  field.evaluated = field.samples.points.size();
+  field.samples.parts = samples.parts;
+  field.evaluated = samples.points.size();
   return field;
 }
 

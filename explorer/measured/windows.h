@@ -18,13 +18,22 @@ struct Window {
 [[nodiscard]] std::vector<Window> windows_of(const PosesComparison& comparison,
                                              std::size_t size);
 
-/// "nearest", "linear", "natural-neighbour", "inverse-distance", "minimum-curvature".
-[[nodiscard]] const char* to_string(ScatteredMethod method);
+/// What of a window a surface goes through.
+enum class WindowValue {
+  measured,
+  predicted,
+  ratio,  ///< measured over predicted; +∞ where that isn't finite
+};
 
-/// The measured surface through windows, on a level grid of about 60 by 60 places at
-/// their mean height. +∞ where the interpolation says nothing.
+/// One a window, as a field over scattered samples.
+[[nodiscard]] Field window_field(const std::vector<Window>& windows, WindowValue what,
+                                 const std::string& scene);
+
+/// The surface through windows, on a level grid of about 60 by 60 places at their mean
+/// height. +∞ where it is blind, and where the interpolation says nothing.
 /// @throws std::invalid_argument as ScatteredSurface; all windows in one line
 [[nodiscard]] Field measured_surface(const std::vector<Window>& windows,
-                                     ScatteredMethod method, const std::string& scene);
+                                     WindowValue what, const ScatteredOptions& how,
+                                     const std::string& scene);
 
 }  // namespace delos::measured

@@ -16,6 +16,9 @@ using session::Drawn;
 using session::Refusal;
 using shapes::Sheet;
 
+/// More samples than these would hide the surface through them.
+constexpr std::size_t kMostRinged = 500;
+
 class FieldPainter {
  public:
   FieldPainter(const Pen& pen, const session::DrawnField& drawn,
@@ -74,7 +77,8 @@ class FieldPainter {
       line(edges.ends[k], edges.ends[k + 1], pen_.ground.faint);
   }
 
-  void points(const SamplePart& part) {
+  /// @param ringed so that they are seen on what has their colour
+  void points(const SamplePart& part, bool ringed = false) {
     const double radius = part.count > 2000 ? 2.5 : 4.5;
     for (std::size_t i = part.first; i < part.first + part.count; ++i) {
       const bool value = drawn_.mask[i] == Drawn::value;
@@ -82,6 +86,10 @@ class FieldPainter {
                        value ? of_value(drawn_.field.value[i])
                        : drawn_.mask[i] == Drawn::inside ? pen_.ground.solid
                                                          : pen_.ground.blind);
+      // What lies on one spot already stays.
+      if (ringed)
+        pen_.raster.disc(pen_.eye, pen_.eye.seen(point(i)), radius + 1, !value,
+                         pen_.ground.lines);
     }
   }
 
@@ -268,6 +276,17 @@ std::vector<DrawnShape> draw_field_layer(const Pen& pen,
   draw_leaves(painter, drawn, options);
   draw_reliefs(painter, drawn, colours, options);
   return draw_shapes(painter, drawn, colours, options);
+}
+
+void draw_through(const Pen& pen, const session::DrawnField& through,
+                  const std::optional<ColourRange>& colours) {
+  FieldPainter painter(pen, through, colours);
+  for (const SamplePart& part : through.field.samples.parts) {
+    if (const auto* surface = std::get_if<SurfaceShape>(&part.shape))
+      painter.surface(part, *surface);
+    else if (part.count <= kMostRinged)
+      painter.points(part, true);
+  }
 }
 
 }  // namespace delos::render

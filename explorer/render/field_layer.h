@@ -20,4 +20,9 @@ struct Pen {
     const Pen& pen, const session::DrawnField& drawn,
     const std::optional<ColourRange>& colours, const PictureOptions& options);
 
+/// A surface through scattered samples, and the samples, ringed, where they are few.
+/// @param through as session::surface_through()
+void draw_through(const Pen& pen, const session::DrawnField& through,
+                  const std::optional<ColourRange>& colours);
+
 }  // namespace delos::render

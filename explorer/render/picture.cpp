@@ -42,8 +42,8 @@ std::vector<double> marks_of(const std::vector<DrawnShape>& shapes,
 
 }  // namespace
 
-Eye eye_of(const session::LoadedScene& loaded, const PictureOptions& options,
-           int finer) {
+Eye eye_of(const session::LoadedScene& loaded, const PictureOptions& options, int finer,
+           const Eigen::AlignedBox3d& more) {
   Eigen::AlignedBox3d room = session::room_box(loaded);
   for (const Slice& slice : options.slices)
     if (options.reliefs && slice.at) {
@@ -51,6 +51,7 @@ Eye eye_of(const session::LoadedScene& loaded, const PictureOptions& options,
       peak[slice.axis] = *slice.at + options.relief_height;
       room.extend(peak);
     }
+  room.extend(more);
   // Icons and the floor reach a little beyond.
   const Eigen::Vector3d margin =
       Eigen::Vector3d::Constant(0.04 * room.diagonal().norm() + 1e-6);
@@ -66,12 +67,22 @@ Picture render_picture(const session::LoadedScene& loaded,
                        const PictureOptions& options) {
   const Ground& ground = options.dark ? kDark : kLight;
   Raster raster(frame_of(options), ground.background);
-  const Eye eye = eye_of(loaded, options, Raster::kFiner);
+  std::optional<session::DrawnField> through;
+  Eigen::AlignedBox3d more;
+  if (options.through) {
+    through = session::surface_through(drawn, *options.through);
+    for (const Eigen::Vector3d& p : through->field.samples.points) more.extend(p);
+  }
+  const Eye eye = eye_of(loaded, options, Raster::kFiner, more);
   const Pen pen{raster, eye, ground};
   const std::optional<ColourRange> colours = colours_of(drawn, options.log10);
 
   Picture picture;
   picture.shapes = draw_field_layer(pen, drawn, colours, options);
+  if (through) {
+    draw_through(pen, *through, colours);
+    picture.through = through->summary.at("through");
+  }
   const std::vector<Label> names = draw_room_layer(pen, loaded, options);
   if (options.cloud && colours) draw_cloud(pen, drawn, *colours);
   picture.width = options.width;

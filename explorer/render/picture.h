@@ -7,6 +7,7 @@
 
 #include "render/eye.h"
 #include "session/drawn_field.h"
+#include "session/surface_through.h"
 #include "shapes/sheet.h"
 
 namespace delos::render {
@@ -24,6 +25,7 @@ struct PictureOptions {
   std::vector<double> levels;  ///< of isosurfaces, SI
   std::vector<std::pair<double, double>> between;  ///< least and greatest of bodies, SI
   bool cloud = false;  ///< grids throughout their volume, by cloud.h
+  std::optional<session::Through> through;  ///< a surface through scattered samples
   bool log10 = false;
   bool dark = false;  ///< on a dark ground
   bool devices = true, frusta = true, names = true, bodies = true, beacons = true,
@@ -44,18 +46,22 @@ struct Picture {
   /// What the colour bar runs from and to, SI; none where no sample has a value.
   std::optional<std::pair<double, double>> range;
   std::vector<DrawnShape> shapes;
+  session::Json through;  ///< of the surface through scattered samples, or null
 };
 
 /// Where a picture of a room is looked at from; all that it draws is in it.
 /// @param finer pixels of the eye's frame, along a side of one that is shown
+/// @param more what is drawn beside the room, metres; may be empty
 [[nodiscard]] Eye eye_of(const session::LoadedScene& loaded,
-                         const PictureOptions& options, int finer = 1);
+                         const PictureOptions& options, int finer = 1,
+                         const Eigen::AlignedBox3d& more = {});
 
 /// Draw a scene and its field. What hides is opaque, but for the walls of a room, which
 /// are lines. Blind is hatched, what is within a solid plain grey.
 /// @param drawn as draw_field()
 /// @throws session::Refusal that a level lies outside the field, that there is no grid
-///         to cut or no octree, or that a logarithm is asked of what isn't positive
+///         to cut or no octree, or that a logarithm is asked of what isn't positive; as
+///         surface_through()
 [[nodiscard]] Picture render_picture(const session::LoadedScene& loaded,
                                      const session::DrawnField& drawn,
                                      const PictureOptions& options);

@@ -3,9 +3,11 @@
 #include "session/blind_json.h"
 #include "session/device_worth.h"
 #include "session/ellipsoids.h"
+#include "session/named.h"
 #include "session/point_answer.h"
 #include "session/sections.h"
 #include "session/sensitivity.h"
+#include "session/surface_through.h"
 
 namespace delos::server {
 namespace {
@@ -18,6 +20,8 @@ constexpr std::size_t kWorthSamples = 4000;
 constexpr std::size_t kMostSections = 16, kMostLattice = 1000, kMostRegions = 12;
 /// Samples of a cut, where the page doesn't say.
 constexpr std::size_t kSectionSamples = 10'000, kMostSectionSamples = 100'000;
+/// Metres: more than any room is high.
+constexpr double kMostRelief = 1e6;
 
 FieldOptions options_of(const Work& work) {
   FieldOptions options;
@@ -42,9 +46,34 @@ Reply revised(const Work& work, Json json) {
   return json_reply(json);
 }
 
+/// How a surface goes through samples, as a page asks for it.
+session::Through through_of(const Json& request) {
+  session::Through through;
+  through.how.method =
+      session::scattered_method_named(text_at(request, "method"), "method");
+  through.axis = session::axis_named(text_at(request, "over"), "over");
+  through.relief = number_or(request, "relief", 0, kMostRelief);
+  through.how.power = number_or(request, "power", through.how.power, 20, 1);
+  const double radius = number_or(request, "radius", 0, kMostRelief);
+  if (radius > 0) through.how.radius = radius;
+  return through;
+}
+
 session::Baseline& baseline(const Work& work) {
   if (!work.visitor.pinned) throw BadRequest("no design is pinned");
   return work.visitor.pinned->baseline;
+}
+
+session::DrawnField drawn_difference(const Work& work) {
+  return session::draw_difference(work.visitor.design.loaded(), baseline(work),
+                                  most_samples(work.request), options_of(work));
+}
+
+session::DrawnField drawn_slopes(const Work& work) {
+  return session::draw_sensitivity(
+             work.visitor.design.loaded(), text_or_empty(work.request, "path"),
+             most_samples(work.request), options_of(work), work.plugins)
+      .drawn;
 }
 
 }  // namespace
@@ -60,19 +89,26 @@ Reply field(const Work& work) {
 }
 
 Reply difference(const Work& work) {
-  return packed_reply(
-      work, "difference",
-      session::draw_difference(work.visitor.design.loaded(), baseline(work),
-                               most_samples(work.request), options_of(work)));
+  return packed_reply(work, "difference", drawn_difference(work));
 }
 
 Reply sensitivity(const Work& work) {
-  return packed_reply(work, "sensitivity",
-                      session::draw_sensitivity(work.visitor.design.loaded(),
-                                                text_or_empty(work.request, "path"),
-                                                most_samples(work.request),
-                                                options_of(work), work.plugins)
-                          .drawn);
+  return packed_reply(work, "sensitivity", drawn_slopes(work));
+}
+
+Reply through(const Work& work) {
+  const session::Through how = through_of(work.request);
+  const std::string of = text_or_empty(work.request, "of");
+  if (!of.empty() && of != "field" && of != "difference" && of != "sensitivity")
+    throw BadRequest("'of' must be field, difference or sensitivity");
+  const session::DrawnField drawn =
+      of == "difference" ? drawn_difference(work)
+      : of == "sensitivity"
+          ? drawn_slopes(work)
+          : session::draw_field(work.visitor.design.loaded(),
+                                most_samples(work.request), options_of(work));
+  if (*work.stop) return superseded();
+  return packed_reply(work, "through", session::surface_through(drawn, how));
 }
 
 Reply sections(const Work& work) {

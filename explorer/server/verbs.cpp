@@ -46,6 +46,7 @@ constexpr Verb kVerbs[] = {
     {"field", field, false},
     {"difference", difference, false},
     {"sensitivity", sensitivity, false},
+    {"through", through, false},
     {"sections", sections, false},
     {"point", point, false},
     {"lattice", lattice, false},

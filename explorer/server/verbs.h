@@ -76,6 +76,7 @@ void tell_search(Visitor& visitor);
 [[nodiscard]] Reply field(const Work& work);
 [[nodiscard]] Reply difference(const Work& work);
 [[nodiscard]] Reply sensitivity(const Work& work);
+[[nodiscard]] Reply through(const Work& work);
 [[nodiscard]] Reply sections(const Work& work);
 [[nodiscard]] Reply point(const Work& work);
 [[nodiscard]] Reply lattice(const Work& work);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "delos/sampling/samples.h"
+#include "output/write.h"
 #include "session/packing.h"
 
 namespace delos::session {
@@ -168,6 +169,14 @@ DrawnField drawn_of(const LoadedScene& loaded, Evaluation evaluation) {
     drawn.field = std::move(evaluation.field);
   }
   drawn.mask = drawn_as(drawn.field);
+  return drawn;
+}
+
+DrawnField drawn_over(Field field) {
+  DrawnField drawn;
+  drawn.summary = Json::parse(field_json(field));
+  drawn.mask = drawn_as(field);
+  drawn.field = std::move(field);
   return drawn;
 }
 

@@ -38,6 +38,8 @@ struct DrawnField {
 
 /// A scene's field as it is drawn: an octree on a grid.
 [[nodiscard]] DrawnField drawn_of(const LoadedScene& loaded, Evaluation evaluation);
+/// A field to be drawn that no scene was evaluated for.
+[[nodiscard]] DrawnField drawn_over(Field field);
 
 /// The same sets with about `most` samples or fewer, where they are grids; adaptive
 /// ones become grids.

@@ -19,7 +19,9 @@ Eigen::Vector3d ratio(const Eigen::Vector3d& measured,
 
 }  // namespace
 
-Json measured_json(const measured::PosesComparison& answer, const LoadedScene& loaded) {
+Json measured_json(const measured::PosesComparison& answer,
+                   const std::vector<measured::Window>& windows,
+                   const LoadedScene& loaded) {
   Json json;
   json["scene"] = loaded.scene.name;
   json["scatter"] = by_axis(answer.scatter, loaded);
@@ -35,6 +37,11 @@ Json measured_json(const measured::PosesComparison& answer, const LoadedScene& l
          {"predicted", by_axis(path.predicted, loaded)},
          {"ratio", by_axis(ratio(path.scatter, path.predicted), loaded)},
          {"without_prediction", path.blind}});
+  json["windows"] = Json::array();
+  for (const measured::Window& w : windows)
+    json["windows"].push_back({{"at", numbers(w.p)},
+                               {"measured", number(w.measured)},
+                               {"predicted", number(w.predicted)}});
   return json;
 }
 

@@ -1,5 +1,8 @@
 #include "session/named.h"
 
+#include <vector>
+
+#include "delos/text/words.h"
 #include "session/refusal.h"
 
 namespace delos::session {
@@ -20,6 +23,21 @@ FilterKind filter_named(const std::string& name) {
   throw Refusal(
       Blame::question,
       "filter '" + name + "': choose extended, iterated, sequential or unscented");
+}
+
+ScatteredMethod scattered_method_named(const std::string& name, const char* what) {
+  std::vector<std::string> known;
+  for (const ScatteredMethod method : kScatteredMethods) {
+    if (name == to_string(method)) return method;
+    known.emplace_back(to_string(method));
+  }
+  throw Refusal(Blame::question, what + (" '" + name) + "': choose " + joined(known));
+}
+
+int axis_named(const std::string& name, const char* what) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (name == std::string(1, "xyz"[axis])) return axis;
+  throw Refusal(Blame::question, what + (" '" + name) + "': choose x, y or z");
 }
 
 }  // namespace delos::session

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "delos/field/evaluate.h"
+#include "delos/geometry/scattered.h"
 #include "delos/simulation/filter.h"
 
 namespace delos::session {
@@ -15,5 +16,15 @@ namespace delos::session {
 /// "extended", "iterated", "sequential" or "unscented".
 /// @throws Refusal of the question: it is none of them
 [[nodiscard]] FilterKind filter_named(const std::string& name);
+
+/// As to_string(ScatteredMethod).
+/// @param what it is the value of
+/// @throws Refusal of the question: it is none of them
+[[nodiscard]] ScatteredMethod scattered_method_named(const std::string& name,
+                                                     const char* what);
+
+/// 0, 1 or 2 of "x", "y" or "z".
+/// @throws Refusal of the question: it is none of them
+[[nodiscard]] int axis_named(const std::string& name, const char* what);
 
 }  // namespace delos::session

@@ -1,6 +1,7 @@
 // delos compare-measured, from files to words and pictures.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -39,6 +40,79 @@ TEST(CompareMeasured, PlacesOfNineSites) {
   // 89.2 mm at the true sites (docs/verification.md); here at the places in the mean.
   EXPECT_NEAR(size(json["predicted"]), 0.0892, 0.0005);
   EXPECT_EQ(read_file(map).substr(1, 3), "PNG");
+}
+
+/// The same windows as a surface in the room, of what is measured, predicted, or both.
+TEST(CompareMeasured, DrawsItsWindowsAsASurface) {
+  const Folder folder;
+  std::vector<std::string> pictures;
+  const auto drawn = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"compare-measured",
+                                   scene("18-floor-robot"),
+                                   data("bearing-tracker/places.csv"),
+                                   "--degree",
+                                   "0",
+                                   "--window",
+                                   "200",
+                                   "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words, folder.path());
+  };
+  const Json json = drawn({}).json();
+  ASSERT_EQ(json["windows"].size(), 9u);
+  // By an independent script the places of (3, 3) scatter by 36.9 mm.
+  bool found = false;
+  for (const Json& w : json["windows"])
+    if (std::hypot(w["at"][0].get<double>() - 3, w["at"][1].get<double>() - 3) < 0.1) {
+      found = true;
+      EXPECT_NEAR(w["measured"], 0.0369, 0.0002);
+    }
+  EXPECT_TRUE(found);
+  for (const char* of : {"measured", "predicted", "ratio"})
+    for (const bool in_room : {false, true}) {
+      const std::string file = std::string(of) + (in_room ? "-room.png" : ".png");
+      std::vector<std::string> words{"--out", file, "--of", of};
+      if (in_room) words.insert(words.end(), {"--view", "corner", "--relief", "1 m"});
+      const Finished done = drawn(words);
+      ASSERT_EQ(done.code, 0) << done.err;
+      pictures.push_back(read_file(folder.path() / file));
+      EXPECT_EQ(pictures.back().substr(1, 3), "PNG");
+    }
+  std::ranges::sort(pictures);
+  EXPECT_EQ(std::ranges::adjacent_find(pictures), pictures.end()) << "all differ";
+  for (const auto& [words, sentence] :
+       std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--of", "both"}, "--of 'both': choose measured, predicted or ratio"},
+           {{"--surface", "kriging"}, "--surface 'kriging': choose natural-neighbour"},
+           {{"--view", "top", "--out", "x.csv"}, "--view is of a picture"}}) {
+    const Finished done = drawn(words);
+    EXPECT_EQ(done.code, 2);
+    EXPECT_NE(done.err.find(sentence), std::string::npos) << done.err;
+  }
+}
+
+/// 28 simulated ways along a rail that sags. About a curve of degree 4 they scatter by
+/// what docs/measured.md has of the filter's errors, 0.9 of P∞. About a straight line
+/// the sag, of at most c = 5.03 mm and along s = 0 to 1 of the form 16 c s² (1 − s)²,
+/// scatters by c √(256/630 − 256/900) = 1.756 mm as well: ten times P∞, as published.
+TEST(CompareMeasured, WaysAlongASaggingRail) {
+  const auto scatter = [](const char* degree) {
+    const Finished done = run({"compare-measured", scene("hiball/six-lepd"),
+                               data("hiball-rail/paths.csv"), "--degree", degree,
+                               "--window", "15", "--json"});
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.json();
+  };
+  const Json curved = scatter("4"), straight = scatter("1");
+  EXPECT_EQ(curved["windows"].size(), 140u);
+  for (const char* axis : {"x", "y", "z"})
+    EXPECT_NEAR(curved["ratio"][axis], 0.9, 0.05) << axis;
+  // Two of 75 degrees of freedom are the line's.
+  EXPECT_NEAR(
+      straight["scatter"]["z"],
+      std::hypot(1.756e-3, curved["scatter"]["z"].get<double>()) * std::sqrt(75 / 73.),
+      0.01e-3);
+  EXPECT_GT(straight["ratio"]["z"], 9);
 }
 
 /// The recorded ranges: by an independent script biases of 88 to 155 mm and scatter of

@@ -37,6 +37,34 @@ TEST(Render, DrawsTheRangeThatFieldPrints) {
   EXPECT_EQ(png, read_file(folder.path() / "2.png"));
 }
 
+/// The path of scene 17 spans a surface; its summary is that of the picture.
+TEST(Render, DrawsASurfaceThroughAPath) {
+  const Folder folder;
+  const std::string file = scene("17-crowded-room");
+  const Finished done =
+      run({"render", file, "-o", "path.png", "--width", "400", "--height", "300",
+           "--through", "linear", "--relief", "50 cm", "--json"},
+          folder.path());
+  ASSERT_EQ(done.code, 0) << done.err;
+  const auto picture = nlohmann::json::parse(done.out);
+  const auto& through = picture["through"];
+  EXPECT_EQ(through["method"], "linear");
+  EXPECT_EQ(through["samples"], 257);
+  EXPECT_GE(through["min"], picture["range"]["min"])
+      << "planes have no extremes between";
+  EXPECT_LE(through["max"], picture["range"]["max"]);
+  EXPECT_GT(through["blind"], 0);
+  const Finished words =
+      run({"render", file, "-o", "same.png", "--width", "400", "--height", "300",
+           "--through", "linear", "--relief", "50 cm", "--threads", "1"},
+          folder.path());
+  EXPECT_NE(words.out.find("surface through 257 samples by linear: "),
+            std::string::npos)
+      << words.out;
+  EXPECT_EQ(read_file(folder.path() / "path.png"),
+            read_file(folder.path() / "same.png"));
+}
+
 /// What can't be drawn is told in a sentence, and no file is written.
 TEST(Render, RefusesWhatItCantDraw) {
   const Folder folder;
@@ -51,6 +79,10 @@ TEST(Render, RefusesWhatItCantDraw) {
       {{"--between", "20 s,"}, "--between '20 s,': "},
       {{"--relief", "high"}, "--relief 'high': "},
       {{"--layers", "box,cells"}, "cells: the scene isn't sampled adaptively"},
+      {{"--through", "kriging"}, "--through 'kriging': choose natural-neighbour, "},
+      {{"--through", "linear"}, "--through: the scene samples no points, path or mesh"},
+      {{"--through", "linear", "--over", "w"}, "--over 'w': choose x, y or z"},
+      {{"--through", "linear", "--radius", "0 m"}, "--radius '0 m': must be above 0"},
       {{"--layers", "roof"}, "there is no 'roof'"}};
   for (const auto& [options, sentence] : wrong) {
     std::vector<std::string> words{"render", file, "-o", "no.png"};

@@ -24,9 +24,9 @@ Json head_of(const Answer& answer) {
   return Json::parse(answer.body.substr(8, length));
 }
 
-class Answers : public testing::TestWithParam<const char*> {};
+class FieldAnswers : public testing::TestWithParam<const char*> {};
 
-TEST_P(Answers, AreThoseOfFieldAndPoint) {
+TEST_P(FieldAnswers, AreThoseOfFieldAndPoint) {
   const Explorer explorer;
   const Json design = explorer.open(GetParam());
   const std::string session = design["session"];
@@ -43,7 +43,7 @@ TEST_P(Answers, AreThoseOfFieldAndPoint) {
             run({"point", scene(GetParam()), "--at", place, "--json"}).json());
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Answers,
+INSTANTIATE_TEST_SUITE_P(Of, FieldAnswers,
                          testing::Values("02-eight-cameras", "03-hybrid", "07-torso",
                                          "17-crowded-room", "hiball/six-lepd"),
                          [](const auto& i) {
@@ -52,6 +52,40 @@ INSTANTIATE_TEST_SUITE_P(Of, Answers,
                              if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                            return name;
                          });
+
+/// A surface through the torso's vertices has the range of delos render's.
+TEST(Answers, HaveASurfaceThroughSamples) {
+  const Explorer explorer;
+  const std::string session = explorer.open("07-torso")["session"];
+  const Json how{{"method", "natural-neighbour"}, {"over", "y"}, {"relief", 0.1}};
+  const Answer answer = explorer.ask("through", session, how);
+  ASSERT_EQ(answer.status, 200) << answer.body;
+  const Json head = head_of(answer);
+  const Folder folder;
+  const Json picture = run({"render", scene("07-torso"), "-o", "torso.png", "--through",
+                            "natural-neighbour", "--over", "y", "--json"},
+                           folder.path())
+                           .json();
+  EXPECT_EQ(head["summary"]["through"], picture["through"]);
+  EXPECT_EQ(head["parts"][0]["kind"], "surface");
+  EXPECT_EQ(head["parts"][1]["count"], 1730);
+
+  const auto refused = [&](const char* key, const Json& value, const char* sentence) {
+    Json wrong = how;
+    wrong[key] = value;
+    const Answer no = explorer.ask("through", session, wrong);
+    EXPECT_GE(no.status, 400);
+    EXPECT_LT(no.status, 500);
+    EXPECT_NE(no.body.find(sentence), std::string::npos) << no.body;
+  };
+  refused("method", "kriging", "choose natural-neighbour");
+  refused("method", 3, "'method' must be a text");
+  refused("over", "w", "choose x, y or z");
+  refused("of", "all", "'of' must be field, difference or sensitivity");
+  refused("of", "difference", "no design is pinned");
+  refused("relief", -1, "'relief' must be a number");
+  refused("power", 1e9, "'power' must be a number");
+}
 
 TEST(Designs, GoBackAndForthToTheSameBytes) {
   const Explorer explorer;

@@ -93,8 +93,7 @@ TEST(Poses, WindowsMakeASurface) {
   for (const ScatteredPlace& p : of.places) single += p.measured * p.measured;
   EXPECT_NEAR(squares, single, 1e-9 * single);
   EXPECT_EQ(windows_of(of, 100).size(), 4u);  // what is left joins the last
-  const Field field =
-      measured_surface(windows, ScatteredMethod::natural_neighbour, "test");
+  const Field field = measured_surface(windows, WindowValue::measured, {}, "test");
   EXPECT_EQ(field.value.size(), field.samples.points.size());
   double least = 1e9, most = 0;
   for (const Window& w : windows) {
@@ -111,7 +110,7 @@ TEST(Poses, WindowsMakeASurface) {
   EXPECT_GT(inside, field.value.size() / 2);
   std::vector<Window> line(windows.begin(), windows.begin() + 6);
   for (Window& w : line) w.p.y() = 0;
-  EXPECT_THROW(static_cast<void>(measured_surface(line, ScatteredMethod::linear, "")),
+  EXPECT_THROW(static_cast<void>(measured_surface(line, WindowValue::measured, {}, "")),
                std::invalid_argument);
 }
 

@@ -1,7 +1,7 @@
 // What is worked out of a design for its picture: coarse while a hand moves, then all of it.
-import { unpack, type Field } from './field';
+import { isScattered, unpack, type Field } from './field';
 import { isNothing, noShapes, textOf, unpackShapes, type ShapesAsked } from './shapes';
-import type { Shown } from './picture';
+import { coloured, type Shown } from './picture';
 import { Refusal, type BlindRegions, type Lattice, type PointReport, type Session, type Vec3, type Worth } from './server';
 import { sectionOf, type Viewing } from './viewing';
 
@@ -17,6 +17,7 @@ export interface Heard {
   valued: (worth: Worth) => void;
   /** What shapes are to be seen now. */
   shapes: () => ShapesAsked;
+  refused: (error: Refusal) => void;
 }
 
 export class Answers {
@@ -57,11 +58,13 @@ export class Answers {
       (viewing.lattice && !shown.lattice) ||
       (viewing.blind && !shown.blind) ||
       (this.pinned && ((viewing.compare === 'difference' && !shown.difference) || (viewing.compare === 'beside' && !shown.pinned))) ||
+      (shown.field !== null && JSON.stringify(this.throughAsked(shown.field)) !== this.throughKnown) ||
       viewing.sensitivity !== (shown.slopes?.summary.sensitivity?.path ?? '') ||
       JSON.stringify([this.sectionsAsked(), this.pinned && viewing.compare === 'difference' ? { of: 'difference' } : {}]) !== this.sectionsKnown
     );
   }
   private sectionsKnown = '[[],{}]';
+  private throughKnown = 'null';
 
   private get pinned(): boolean {
     return this.shown.description!.pinned !== null;
@@ -70,6 +73,13 @@ export class Answers {
   private sectionsAsked() {
     const { box } = this.shown.description!;
     return this.viewing.slants.flatMap((slant) => sectionOf(slant, box) ?? []);
+  }
+
+  /** What a surface goes through, and how; null: there is to be none. */
+  private throughAsked(field: Field) {
+    const { sensitivity, through } = this.viewing;
+    if (through.method === 'none' || !field.parts.some(isScattered)) return null;
+    return { ...through, of: coloured(this.viewing, this.shown), path: sensitivity };
   }
 
   private async field(session: Session, verb: string, more: object, signal: AbortSignal): Promise<Field> {
@@ -86,8 +96,23 @@ export class Answers {
     await this.slopes(session, most, signal);
     if (differing) shown.difference = await this.field(session, 'difference', { most }, signal);
     if (this.pinned && viewing.compare === 'beside') await this.baseline(session, signal);
+    const asked = this.throughAsked(field);
+    const surface = asked && (await this.through(session, { ...asked, most }, signal));
     [shown.field, shown.sections, this.sectionsKnown] = [field, cuts, JSON.stringify([sections, of])];
+    [shown.through, this.throughKnown] = [surface && { ...surface, of: asked!.of }, JSON.stringify(surface && asked)];
     await this.shape(session, signal);
+  }
+
+  /** Where samples span no surface, none; the field is drawn all the same. */
+  private async through(session: Session, asked: object, signal: AbortSignal): Promise<Field | null> {
+    try {
+      return await this.field(session, 'through', asked, signal);
+    } catch (error) {
+      if (!(error instanceof Refusal) || error.status !== 422) throw error;
+      this.viewing.through.method = 'none';
+      this.heard.refused(error);
+      return null;
+    }
   }
 
   private async shape(session: Session, signal: AbortSignal): Promise<void> {

@@ -117,6 +117,7 @@ export class App {
       uncertain: () => this.showUncertainty(),
       valued: (worth) => this.layout.devices.value(worth),
       shapes: () => this.picture.shapesAsked(this.shown),
+      refused: (error) => this.failed(error),
     });
     this.work = new Work({
       change: (verb, body) => this.change(verb, body),
@@ -178,7 +179,7 @@ export class App {
     sessionStorage.setItem(sessionKey, session.name);
     Object.assign(this.shown, nothingShown(), { description });
     this.ask(null);
-    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], relief: false, cells: false, surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
+    Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], relief: false, cells: false, through: firstViewing().through, surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
     this.shown.around = await session.ask<Around>('around');
     this.drawRoom();
     this.picture.stage.look('corner', description.room);

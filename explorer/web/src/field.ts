@@ -67,6 +67,8 @@ export interface Summary {
   definition?: string;
   /** Of slopes: of which number. */
   sensitivity?: { path: string; value: number; unit: string };
+  /** Of a surface through samples: what it is, and its own range. */
+  through?: { method: string; over: string; samples: number; places: number; blind: number; min: number | null; max: number | null };
   /** Of what was pinned, where that is another one. */
   pinned_definition?: string | null;
 }
@@ -134,6 +136,9 @@ export function placeOf(part: Part, i: number): Vec3 {
       return [0, 1, 2].map((k) => part.positions[3 * i + k]!) as Vec3;
   }
 }
+
+/** Without neighbours on a grid. */
+export const isScattered = (part: Part): part is PointsPart | SurfacePart => part.kind === 'points' || part.kind === 'surface';
 
 /** The picture in one sentence. */
 export function wordsOf({ summary }: Field): string {

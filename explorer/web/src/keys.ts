@@ -1,7 +1,8 @@
 // What can be done, by name and by key.
 import type { Command } from './commands';
 import type { ViewName } from './view/eye';
-import type { Viewing } from './viewing';
+import { methods } from './panels/through';
+import type { Through, Viewing } from './viewing';
 
 /** What commands do. */
 export interface Doings {
@@ -39,6 +40,7 @@ export interface Doings {
   hasPin: () => boolean;
 }
 
+const throughs = Object.keys(methods) as Through['method'][];
 const bodies: Viewing['body'][] = ['none', 'volume', 'between'];
 const comparisons: Viewing['compare'][] = ['design', 'difference', 'beside'];
 const views: [ViewName, string, string][] = [
@@ -97,6 +99,7 @@ export function commandsOf(doings: Doings): Command[] {
     toggle('Surface', 'i', 'surface'),
     show('Raise the level of the surface', [']'], level(0.02)),
     show('Lower the level of the surface', ['['], level(-0.02)),
+    show('Samples as a surface: by the next method', ['shift+i'], () => (viewing.through.method = after(throughs, viewing.through.method))),
     show('Volume: not drawn, a cloud, between two values', ['v'], () => (viewing.body = after(bodies, viewing.body))),
     toggle('Logarithmic colours', 'l', 'logarithmic'),
     toggle('Dark is good', '', 'reversed'),

@@ -219,7 +219,7 @@ export class Layout {
     const field = shown.field!;
     const { summary } = field;
     this.bar.show(drawn, scale, marks, viewing.units);
-    this.viewingPanel.show(drawn, scale, shown.blind, enlarged, sizeOf(shown.description!), shown.shapes);
+    this.viewingPanel.show(drawn, shown.through, scale, shown.blind, enlarged, sizeOf(shown.description!), shown.shapes);
     this.compare.show(shown.description!.pinned !== null, shown.difference?.summary ?? null);
     const unit = summary.metric.unit;
     const best = field.largerIsBetter ? summary.max : summary.min;

@@ -15,6 +15,12 @@ import { discard, Room } from './view/room';
 import { Stage } from './view/stage';
 import { endsOf, type Viewing } from './viewing';
 
+/** What colours are of; verbs of the server. */
+export type Coloured = 'field' | 'difference' | 'sensitivity';
+
+export const coloured = ({ sensitivity, compare }: Viewing, { description }: Shown): Coloured =>
+  sensitivity ? 'sensitivity' : compare === 'difference' && description!.pinned !== null ? 'difference' : 'field';
+
 /** What is known of a design. */
 export interface Shown {
   description: Description | null;
@@ -27,6 +33,8 @@ export interface Shown {
   pinned: { description: Description; field: Field } | null;
   sections: Field | null;
   shapes: Shapes | null;
+  /** A surface through samples without a grid, and these. */
+  through: (Field & { of: Coloured }) | null;
   lattice: Lattice | null;
   blind: BlindRegions | null;
   selected: string | null;
@@ -43,6 +51,7 @@ export const nothingShown = (): Shown => ({
   pinned: null,
   sections: null,
   shapes: null,
+  through: null,
   lattice: null,
   blind: null,
   selected: null,
@@ -184,7 +193,7 @@ export class Picture {
     const options = this.optionsOf(drawn, shown.description!.box);
     const meshes = (pinned: boolean) => (shown.shapes?.meshes ?? []).filter(({ asked }) => (asked.of === 'pinned') === pinned);
     const sections = viewing.sensitivity ? null : shown.sections;
-    this.fieldView.show(drawn, { ...options, sections, meshes: meshes(false), leaves: shown.shapes?.leaves ?? null }, scale, colours.edge);
+    this.fieldView.show(drawn, { ...options, sections, through: this.throughOf(shown), meshes: meshes(false), leaves: shown.shapes?.leaves ?? null }, scale, colours.edge);
     if (besides) this.baselineView.show(shown.pinned!.field, { ...options, meshes: meshes(true) }, scale, colours.edge);
     this.stage.split(besides ? { left: this.baseline, right: this.design } : null);
     this.baseline.visible = besides;
@@ -199,6 +208,12 @@ export class Picture {
     return [...(viewing.surface ? [scale.at(viewing.level)] : []), ...ends];
   }
 
+  /** The surface through samples, where it is of what is shown now. */
+  private throughOf(shown: Shown): Field | null {
+    const { viewing } = this;
+    return viewing.through.method !== 'none' && shown.through?.of === coloured(viewing, shown) ? shown.through : null;
+  }
+
   private optionsOf(field: Field, box: Box): FieldOptions {
     const { viewing } = this;
     return {
@@ -208,6 +223,7 @@ export class Picture {
       meshes: [],
       leaves: null,
       sections: null,
+      through: null,
       box,
     };
   }

@@ -12,6 +12,17 @@ export interface Slant {
   part: number;
 }
 
+/** How samples without a grid become a surface; as `Through` of the server. */
+export interface Through {
+  method: 'none' | 'natural-neighbour' | 'linear' | 'nearest' | 'inverse-distance' | 'minimum-curvature';
+  over: 'x' | 'y' | 'z';
+  /** By how much the greatest value is lifted above the least, metres. */
+  relief: number;
+  /** Of inverse distance; a radius of 0 is none. */
+  power: number;
+  radius: number;
+}
+
 export interface Viewing extends Colouring {
   /** Which slices across x, y and z there are. */
   slices: [boolean, boolean, boolean];
@@ -24,6 +35,7 @@ export interface Viewing extends Colouring {
   reliefPart: number;
   /** Of an octree. */
   cells: boolean;
+  through: Through;
   surface: boolean;
   /** Of the surface, as a part of the colour bar. */
   level: number;
@@ -52,6 +64,7 @@ export const firstViewing = (): Viewing => ({
   relief: false,
   reliefPart: 0.2,
   cells: false,
+  through: { method: 'none', over: 'z', relief: 0, power: 2, radius: 0 },
   surface: false,
   level: 0.35,
   body: 'none',

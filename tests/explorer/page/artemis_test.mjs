@@ -207,6 +207,35 @@ await test('objects', [join(scenes, '07-torso.yaml')], async (page) => {
   });
   const apart = Math.hypot(...worst.map((c, k) => c - best[k]));
   assert.ok(apart > 40, `the bands' colours are ${apart} apart`);
+
+  // Section 4.1.4: a surface through the vertices, over x and z; the command line's has its range.
+  const file = join(scenes, '07-torso.yaml');
+  const folder = mkdtempSync(join(tmpdir(), 'delos-through-'));
+  await page.selectOption('#through-method', 'linear');
+  await page.selectOption('#through-over', 'y');
+  for (const method of ['nearest', 'natural-neighbour']) {
+    await page.selectOption('#through-method', method);
+    await page.waitForFunction((m) => document.querySelector('#through-words').dataset.method === m, method);
+    await settled(page);
+    const words = await page.$eval('#through-words', (e) => ({ ...e.dataset }));
+    const { through } = delos('render', file, '-o', join(folder, 'torso.png'), '--through', method, '--over', 'y');
+    for (const key of ['min', 'max', 'places', 'blind']) assert.equal(Number(words[key]), through[key], `${method}: ${key}`);
+  }
+  // What is clicked on the lifted surface is the nearest of the vertices.
+  await page.fill('#through-relief', '20 cm');
+  await page.press('#through-relief', 'Enter');
+  await settled(page);
+  await picture(page, 'artemis-torso-surface');
+  const { x, y, width, height } = await page.locator('#viewport canvas').boundingBox();
+  await page.mouse.click(x + 0.41 * width, y + 0.615 * height);
+  await page.waitForSelector('#report [data-metric]');
+  await settled(page);
+  const at = await page.$$eval('form.at input', (inputs) => inputs.map((input) => Number(input.value)));
+  const vertices = delos('field', file, '--out', join(folder, 'torso.json')) && JSON.parse(readFileSync(join(folder, 'torso.json'), 'utf8')).values;
+  const away = Math.min(...vertices.map((v) => Math.hypot(...at.map((c, k) => c - v[k]))));
+  assert.ok(away < 1e-3, `the place asked is ${away} m from the nearest vertex`);
+  await page.selectOption('#through-method', 'none');
+
   await page.selectOption('#metric', 'coverage');
   await settled(page);
   for (const [cameras, vertices] of [[0, 719], [1, 299], [2, 300], [3, 412]])

@@ -11,12 +11,14 @@ import { check, details } from './details';
 import { ReliefPanel } from './relief';
 import { SensitivityPanel } from './sensitivity';
 import { SlicesPanel } from './slices';
+import { ThroughPanel } from './through';
 import { UncertaintyPanel } from './uncertainty';
 
 export class ViewingPanel {
   readonly element: HTMLElement;
   readonly slices: SlicesPanel;
   readonly sensitivity: SensitivityPanel;
+  private readonly through: ThroughPanel;
   private readonly bodies: BodiesPanel;
   private readonly colouring: ColouringPanel;
   private readonly uncertainty: UncertaintyPanel;
@@ -34,6 +36,7 @@ export class ViewingPanel {
     this.slices = new SlicesPanel(viewing, changed);
     this.sensitivity = new SensitivityPanel(viewing, changed);
     this.relief = new ReliefPanel(viewing, changed);
+    this.through = new ThroughPanel(viewing, changed);
     this.bodies = new BodiesPanel(viewing, changed);
     this.colouring = new ColouringPanel(viewing, changed);
     this.uncertainty = new UncertaintyPanel(viewing, changed);
@@ -48,6 +51,7 @@ export class ViewingPanel {
       h('h2', {}, 'View'),
       this.slices.element,
       this.relief.element,
+      this.through.element,
       this.bodies.element,
       this.sensitivity.element,
       h('div', { className: 'checks' }, frustaLabel, namesLabel, cellsLabel),
@@ -62,8 +66,9 @@ export class ViewingPanel {
   }
 
   /** @param size of the room, metres */
-  show(field: Field, scale: Scale | null, regions: BlindRegions | null, enlarged: number, size: number, shapes: Shapes | null): void {
+  show(field: Field, through: Field | null, scale: Scale | null, regions: BlindRegions | null, enlarged: number, size: number, shapes: Shapes | null): void {
     this.slices.show(field);
+    this.through.show(field, through?.summary ?? null);
     const flat = field.parts.some(({ kind }) => kind === 'grid' || kind === 'plane');
     this.relief.show(size, flat && scale !== null);
     this.bodies.show(field, scale, shapes);

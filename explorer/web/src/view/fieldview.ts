@@ -10,7 +10,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
-import { placeOf, type Field, type GridPart, type Part } from '../field';
+import { isScattered, placeOf, type Field, type GridPart, type Part, type PointsPart, type SurfacePart } from '../field';
 import type { Scale } from '../scale';
 import type { Box, Vec3 } from '../server';
 import type { MadeMesh, Shapes } from '../shapes';
@@ -21,6 +21,9 @@ import { leavesObject, shapeObject } from './shapes';
 import { Sheet, type SheetData } from './sheet';
 import { applyScale } from './uniforms';
 import { Volume } from './volume';
+
+/** More samples than these would hide the surface through them. */
+const mostRinged = 500;
 
 export interface FieldOptions {
   /** Where layers across axes lie, metres; the nearest ones of the grid are shown. */
@@ -34,6 +37,8 @@ export interface FieldOptions {
   leaves: Shapes['leaves'];
   /** Cuts of their own, shown within a box. */
   sections: Field | null;
+  /** A surface through samples without a grid. */
+  through: Field | null;
   box: Box;
 }
 
@@ -81,7 +86,7 @@ export class FieldView {
   readonly volume = new Volume();
   /** Sheets that were shown before: their programs stay compiled. */
   private readonly spare: Sheet[] = [];
-  private readonly scattered = new Map<Object3D, Part>();
+  private readonly scattered = new Map<Object3D, { part: Part; of: Field }>();
 
   constructor() {
     this.group.add(this.volume.mesh);
@@ -102,33 +107,54 @@ export class FieldView {
       } else if (part.kind === 'plane') {
         this.sheet(field, planeOf(part), scale, edge, options.raised);
       } else {
-        const object = scatteredObject(field, part, part.count > 2000 ? 5 : 9);
-        if (scale) applyScale(object.material, scale);
-        this.scattered.set(object, part);
-        this.group.add(object);
+        this.withoutGrid(field, part, scale);
       }
     }
+    for (const part of options.through?.parts ?? [])
+      if (part.kind === 'surface' || (part.kind === 'points' && part.count <= mostRinged)) this.withoutGrid(options.through!, part, scale);
     for (const part of options.sections?.parts ?? [])
       if (part.kind === 'plane') this.sheet(options.sections!, planeOf(part), scale, edge, options.raised, options.box);
     if (scale) for (const mesh of options.meshes) this.group.add(shapeObject(mesh, scale));
     if (options.leaves) this.group.add(leavesObject(options.leaves, edge));
   }
 
+  private withoutGrid(of: Field, part: PointsPart | SurfacePart, scale: Scale | null): void {
+    const object = scatteredObject(of, part, of !== this.field && part.kind === 'points');
+    if (scale) applyScale(object.material, scale);
+    this.scattered.set(object, { part, of });
+    this.group.add(object);
+  }
+
   /** The nearest sample that a ray meets. */
   pick(ray: Raycaster): Vec3 | null {
     const objects = [...this.sheets.keys(), ...this.scattered.keys()];
-    const hit = ray.intersectObjects(objects, false).find(({ object, point }) => inside(this.sheets.get(object)?.within ?? null, point));
+    const hits = ray.intersectObjects(objects, false).filter(({ object, point }) => inside(this.sheets.get(object)?.within ?? null, point));
+    const hit = hits[0];
     if (!hit || !this.field) return null;
+    const scattered = this.scattered.get(hit.object);
+    if (scattered && scattered.of !== this.field) return this.under(hit.point, scattered.of);
+    // Of points that a ray goes by, the one that it goes by nearest.
+    const met = hits
+      .filter(({ object }) => object === hit.object && hit.distanceToRay !== undefined)
+      .reduce((a, b) => (b.distanceToRay! < a.distanceToRay! ? b : a), hit);
     const field = this.sheets.get(hit.object)?.field ?? this.field;
-    const sample = this.sampleOf(hit);
+    const sample = this.sampleOf(met);
     const part = field.parts.find((p) => sample >= p.first && sample < p.first + p.count);
     return part ? placeOf(part, sample - part.first) : null;
+  }
+
+  /** Of the samples that a surface goes through, the nearest as seen along its axis. */
+  private under(p: Vector3, through: Field): Vec3 | null {
+    const axis = 'xyz'.indexOf(through.summary.through!.over);
+    const places = this.field!.parts.filter(isScattered).flatMap((part) => Array.from({ length: part.count }, (_, i) => placeOf(part, i)));
+    const apart = (q: Vec3) => Math.hypot(...p.toArray().map((x, k) => (k === axis ? 0 : x - q[k]!)));
+    return places.reduce<Vec3 | null>((a, b) => (a && apart(a) <= apart(b) ? a : b), null);
   }
 
   private sampleOf(hit: Intersection): number {
     const sheet = this.sheets.get(hit.object)?.sheet;
     if (sheet) return sheet.nearest(hit.uv!);
-    const part = this.scattered.get(hit.object)!;
+    const { part } = this.scattered.get(hit.object)!;
     if (!hit.face) return part.first + hit.index!;
     const distance = (i: number) => hit.point.distanceToSquared(new Vector3(...placeOf(part, i)));
     const corners = [hit.face.a, hit.face.b, hit.face.c].sort((i, j) => distance(i) - distance(j));

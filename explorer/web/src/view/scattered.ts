@@ -21,6 +21,7 @@ out float value, valid;
 flat out float drawn;
 out vec3 toEye;
 uniform float size;
+uniform bool ringed;
 void main() {
   value = sampleValue;
   valid = sampleDrawn == 1.0 ? 1.0 : 0.0;
@@ -29,6 +30,7 @@ void main() {
   toEye = eye.xyz;
   gl_PointSize = size;
   gl_Position = projectionMatrix * eye;
+  if (ringed) gl_Position.z -= 2e-3 * gl_Position.w;  // before what they lie on
 }
 `;
 
@@ -42,12 +44,17 @@ ${scaleShader}
 ${blindShader}
 `;
 
-/** Discs; rings where there is no value. */
+/** Discs; rings where there is no value. Ringed, they are seen on what has their colour. */
 const pointShader = /* glsl */ `
 ${head}
+uniform bool ringed;
 void main() {
   float r = length(gl_PointCoord - 0.5);
   if (r > 0.5 || (valid < 0.5 && r < 0.28)) discard;
+  if (ringed && r > 0.38) {
+    colour = vec4(blindB, 1.0);
+    return;
+  }
   colour = vec4(valid < 0.5 ? (drawn < 0.5 ? blindA : withoutValue(drawn)) : colourOf(value), 1.0);
 }
 `;
@@ -80,22 +87,23 @@ function geometryOf(field: Field, part: PointsPart | SurfacePart): BufferGeometr
   return geometry;
 }
 
-/** @param points how large they are drawn, pixels */
+/** @param ringed points on a surface of their colours */
 export function scatteredObject(
   field: Field,
   part: PointsPart | SurfacePart,
-  points: number,
+  ringed = false,
 ): Object3D & { material: ShaderMaterial; geometry: BufferGeometry } {
   const surface = part.kind === 'surface';
+  const points = (part.count > 2000 ? 5 : 9) + (ringed ? 2 : 0);
   const material = paint(
-    `samples ${part.kind} ${points}`,
+    `samples ${part.kind} ${points} ${ringed}`,
     () =>
       new ShaderMaterial({
         glslVersion: GLSL3,
         vertexShader,
         fragmentShader: surface ? surfaceShader : pointShader,
         side: DoubleSide,
-        uniforms: { ...scaleUniforms(), size: { value: points } },
+        uniforms: { ...scaleUniforms(), size: { value: points }, ringed: { value: ringed } },
       }),
   );
   const geometry = geometryOf(field, part);

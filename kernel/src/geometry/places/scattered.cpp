@@ -8,148 +8,188 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "delos/model/infinity.h"
+#include "geometry/places/thin_plate.h"
 
 namespace delos {
 namespace {
 
 using PlaneKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using ValueAt = CGAL::Triangulation_vertex_base_with_info_2<double, PlaneKernel>;
+using IndexAt = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, PlaneKernel>;
 using Delaunay =
     CGAL::Delaunay_triangulation_2<PlaneKernel,
-                                   CGAL::Triangulation_data_structure_2<ValueAt>>;
+                                   CGAL::Triangulation_data_structure_2<IndexAt>>;
 
-constexpr std::size_t kMostPlatePoints = 3000;
-constexpr double kOutside = std::numeric_limits<double>::quiet_NaN();
-
-/// r² log r, of whose sums the thin plate is made: its double Laplacian is 8π δ.
-double plate(double square) { return square > 0 ? square * std::log(square) / 2 : 0; }
+/// What is weighed at every place.
+constexpr std::size_t kMostWeighed = 50'000;
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 PlaneKernel::Point_2 plane_point(const Eigen::Vector2d& p) { return {p.x(), p.y()}; }
 
-}  // namespace
-
-struct ScatteredSurface::State {
-  ScatteredMethod method;
+/// Points of different places, what their values are, and their triangles.
+struct Net {
   std::vector<Eigen::Vector2d> points;
   std::vector<double> values;
+  std::vector<std::size_t> first;  ///< of those that were given, at each place
   Delaunay triangles;
-  Eigen::VectorXd plate_weights;  // of the points, then of 1, x, y
-  double scale = 1;               // lengths are divided by it, and begin at
-  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
 
-  /// Solves [K T; Tᵀ 0] (w, c) = (v, 0) with T = (1, x, y).
-  void bend_plate() {
-    if (points.size() > kMostPlatePoints)
-      throw std::invalid_argument("a plate of minimum curvature is of at most " +
-                                  std::to_string(kMostPlatePoints) + " places");
-    for (const Eigen::Vector2d& p : points)
-      middle += p / static_cast<double>(points.size());
-    scale = 0;
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    for (const Eigen::Vector2d& p : points) {
-      scale = std::max(scale, (p - middle).norm());
-      spread += (p - middle) * (p - middle).transpose();
-    }
-    // In one line the plane 1, x, y through the points isn't one alone.
-    if (!(spread.determinant() > 1e-12 * spread.trace() * spread.trace()))
-      throw std::invalid_argument(
-          "a plate of minimum curvature needs points that aren't all in one line");
-    const auto n = static_cast<Eigen::Index>(points.size());
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n + 3, n + 3);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 3);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Vector2d p = scaled(points[static_cast<std::size_t>(i)]);
-      for (Eigen::Index j = 0; j < i; ++j)
-        M(i, j) = M(j, i) =
-            plate((p - scaled(points[static_cast<std::size_t>(j)])).squaredNorm());
-      M.row(i).tail<3>() << 1, p.x(), p.y();
-      M.col(i).tail<3>() = M.row(i).tail<3>().transpose();
-      right(i) = values[static_cast<std::size_t>(i)];
-    }
-    plate_weights = M.partialPivLu().solve(right);
+  void add(const Eigen::Vector2d& p, double value, std::size_t index) {
+    triangles.insert(plane_point(p))->info() = points.size();
+    points.push_back(p);
+    values.push_back(value);
+    first.push_back(index);
   }
 
-  [[nodiscard]] Eigen::Vector2d scaled(const Eigen::Vector2d& p) const {
-    return (p - middle) / scale;
+  [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& place) const {
+    return triangles.nearest_vertex(plane_point(place))->info();
   }
 
-  [[nodiscard]] double on_plate(const Eigen::Vector2d& place) const {
-    const Eigen::Vector2d p = scaled(place);
-    const auto n = static_cast<Eigen::Index>(points.size());
-    double sum = plate_weights(n) + plate_weights.tail<2>().dot(p);
-    for (Eigen::Index i = 0; i < n; ++i)
-      sum += plate_weights(i) *
-             plate((p - scaled(points[static_cast<std::size_t>(i)])).squaredNorm());
-    return sum;
-  }
-
-  [[nodiscard]] double by_distances(const Eigen::Vector2d& place) const {
-    double sum = 0, weights = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double square = (points[i] - place).squaredNorm();
-      if (square == 0) return values[i];
-      sum += values[i] / square;
-      weights += 1 / square;
-    }
-    return sum / weights;
+  [[nodiscard]] bool holds(const Eigen::Vector2d& place) const {
+    if (triangles.dimension() < 2) return false;
+    Delaunay::Locate_type where;
+    int corner;
+    triangles.locate(plane_point(place), where, corner);
+    return where != Delaunay::OUTSIDE_CONVEX_HULL;
   }
 
   /// Weights by area in the triangle that holds the place.
-  [[nodiscard]] double in_triangle(const Eigen::Vector2d& place) const {
-    if (triangles.dimension() < 2) return kOutside;
-    const auto face = triangles.locate(plane_point(place));
-    if (triangles.is_infinite(face)) return kOutside;
+  /// @pre holds(place)
+  [[nodiscard]] double linear(const Eigen::Vector2d& place) const {
+    Delaunay::Locate_type where;
+    int corner;
+    auto face = triangles.locate(plane_point(place), where, corner);
+    // On the hull's edge the outer face may be found.
+    for (int i = 0; triangles.is_infinite(face); ++i)
+      if (face->vertex(i) == triangles.infinite_vertex()) face = face->neighbor(i);
     Eigen::Matrix3d corners;
     Eigen::Vector3d at;
     for (int i = 0; i < 3; ++i) {
-      const auto& p = face->vertex(i)->point();
-      corners.col(i) << p.x(), p.y(), 1;
-      at(i) = face->vertex(i)->info();
+      const std::size_t index = face->vertex(i)->info();
+      corners.col(i) << points[index] - place, 1;
+      at(i) = values[index];
     }
-    return at.dot(
-        corners.partialPivLu().solve(Eigen::Vector3d(place.x(), place.y(), 1)));
+    return at.dot(corners.partialPivLu().solve(Eigen::Vector3d::UnitZ()));
   }
 
-  [[nodiscard]] double by_neighbours(const Eigen::Vector2d& place) const {
-    if (triangles.dimension() < 2) return kOutside;
+  /// @pre holds(place)
+  [[nodiscard]] double natural(const Eigen::Vector2d& place) const {
     std::vector<std::pair<Delaunay::Vertex_handle, double>> weights;
     const auto found = CGAL::natural_neighbor_coordinates_2(
         triangles, plane_point(place), std::back_inserter(weights),
         CGAL::Identity<std::pair<Delaunay::Vertex_handle, double>>());
-    if (!found.third) return kOutside;
     double sum = 0;
-    for (const auto& [vertex, weight] : weights) sum += weight * vertex->info();
+    for (const auto& [vertex, weight] : weights) sum += weight * values[vertex->info()];
     return sum / found.second;
+  }
+
+  [[nodiscard]] double by_distances(const Eigen::Vector2d& place, double power,
+                                    double radius) const {
+    double sum = 0, weights = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double d = (points[i] - place).norm();
+      if (d == 0) return values[i];
+      if (d >= radius) continue;
+      const double base = std::isinf(radius) ? 1 / d : (radius - d) / (radius * d);
+      const double w = power == 2 ? base * base : std::pow(base, power);
+      sum += w * values[i];
+      weights += w;
+    }
+    return weights > 0 ? sum / weights : kNothing;
+  }
+};
+
+void check(const std::vector<Eigen::Vector2d>& points, const ScatteredOptions& how) {
+  if (points.empty()) throw std::invalid_argument("a surface needs points");
+  if (!(how.power > 0) || !(how.radius > 0))
+    throw std::invalid_argument("power and radius of inverse-distance are above 0");
+  if (how.method == ScatteredMethod::inverse_distance && points.size() > kMostWeighed)
+    throw std::invalid_argument("inverse-distance goes through at most " +
+                                std::to_string(kMostWeighed) +
+                                " places; natural-neighbour takes any number");
+  const bool of_planes = how.method != ScatteredMethod::nearest &&
+                         how.method != ScatteredMethod::inverse_distance;
+  if (of_planes && in_one_line(points))
+    throw std::invalid_argument(std::string(to_string(how.method)) +
+                                " needs points that aren't all in one line; nearest "
+                                "and inverse-distance don't");
+}
+
+}  // namespace
+
+const char* to_string(ScatteredMethod method) {
+  switch (method) {
+    case ScatteredMethod::nearest:
+      return "nearest";
+    case ScatteredMethod::linear:
+      return "linear";
+    case ScatteredMethod::natural_neighbour:
+      return "natural-neighbour";
+    case ScatteredMethod::inverse_distance:
+      return "inverse-distance";
+    case ScatteredMethod::minimum_curvature:
+      return "minimum-curvature";
+  }
+  return "";
+}
+
+struct ScatteredSurface::State {
+  ScatteredOptions how;
+  Net all;
+  Net seen;  ///< those that have a value
+  std::optional<ThinPlate> plate;
+
+  [[nodiscard]] double value(const Eigen::Vector2d& place) const {
+    switch (how.method) {
+      case ScatteredMethod::nearest:
+        return seen.values[seen.nearest(place)];
+      case ScatteredMethod::linear:
+        return seen.holds(place) ? seen.linear(place) : beyond(place);
+      case ScatteredMethod::natural_neighbour:
+        return seen.holds(place) ? seen.natural(place) : beyond(place);
+      case ScatteredMethod::inverse_distance:
+        return seen.by_distances(place, how.power, how.radius);
+      case ScatteredMethod::minimum_curvature:
+        return plate ? plate->at(place) : kInfinity;
+    }
+    return kNothing;
+  }
+
+  /// Between points that see and blind ones it is blind; outside of both, unknown.
+  [[nodiscard]] double beyond(const Eigen::Vector2d& place) const {
+    return all.holds(place) ? kInfinity : kNothing;
   }
 };
 
 ScatteredSurface::ScatteredSurface(const std::vector<Eigen::Vector2d>& points,
                                    const std::vector<double>& values,
-                                   ScatteredMethod method)
+                                   const ScatteredOptions& options)
     : state_(std::make_unique<State>()) {
-  if (points.empty()) throw std::invalid_argument("a surface needs points");
-  std::map<std::pair<double, double>, std::pair<double, double>> sums;
+  check(points, options);
+  struct Place {
+    double sum = 0;
+    std::size_t count = 0, first = 0;
+  };
+  std::map<std::pair<double, double>, Place> places;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    auto& [sum, count] = sums[{points[i].x(), points[i].y()}];
-    sum += values[i];
-    ++count;
+    Place& place = places[{points[i].x(), points[i].y()}];
+    if (place.count++ == 0) place.first = i;
+    place.sum += values[i];
   }
-  state_->method = method;
-  for (const auto& [place, of] : sums) {
-    state_->points.emplace_back(place.first, place.second);
-    state_->values.push_back(of.first / of.second);
+  state_->how = options;
+  for (const auto& [at, place] : places) {
+    const Eigen::Vector2d p(at.first, at.second);
+    const double mean = place.sum / static_cast<double>(place.count);
+    state_->all.add(p, mean, place.first);
+    if (std::isfinite(mean)) state_->seen.add(p, mean, place.first);
   }
-  if (method == ScatteredMethod::minimum_curvature) {
-    state_->bend_plate();
-    return;
-  }
-  for (std::size_t i = 0; i < state_->points.size(); ++i)
-    state_->triangles.insert(plane_point(state_->points[i]))->info() =
-        state_->values[i];
+  if (options.method == ScatteredMethod::minimum_curvature &&
+      !in_one_line(state_->seen.points))
+    state_->plate.emplace(state_->seen.points, state_->seen.values);
 }
 
 ScatteredSurface::~ScatteredSurface() = default;
@@ -157,19 +197,17 @@ ScatteredSurface::ScatteredSurface(ScatteredSurface&&) noexcept = default;
 ScatteredSurface& ScatteredSurface::operator=(ScatteredSurface&&) noexcept = default;
 
 double ScatteredSurface::at(const Eigen::Vector2d& place) const {
-  switch (state_->method) {
-    case ScatteredMethod::nearest:
-      return state_->triangles.nearest_vertex(plane_point(place))->info();
-    case ScatteredMethod::linear:
-      return state_->in_triangle(place);
-    case ScatteredMethod::natural_neighbour:
-      return state_->by_neighbours(place);
-    case ScatteredMethod::inverse_distance:
-      return state_->by_distances(place);
-    case ScatteredMethod::minimum_curvature:
-      return state_->on_plate(place);
+  if (!std::isfinite(state_->all.values[state_->all.nearest(place)])) {
+    // What linear and natural neighbours don't reach isn't known to be blind.
+    const bool reaches = state_->how.method != ScatteredMethod::linear &&
+                         state_->how.method != ScatteredMethod::natural_neighbour;
+    return reaches ? kInfinity : state_->beyond(place);
   }
-  return kOutside;
+  return state_->value(place);
+}
+
+std::size_t ScatteredSurface::nearest(const Eigen::Vector2d& place) const {
+  return state_->all.first[state_->all.nearest(place)];
 }
 
 }  // namespace delos
