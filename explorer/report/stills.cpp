@@ -92,8 +92,8 @@ double quantile(const Field& field, double part) {
   for (const double value : field.value)
     if (std::isfinite(value)) sizes.push_back(std::abs(value));
   if (sizes.empty()) return 0;
-  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(
-                                      part * static_cast<double>(sizes.size() - 1));
+  const double last = part * static_cast<double>(sizes.size() - 1);
+  const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(last));
   std::nth_element(sizes.begin(), at, sizes.end());
   return *at;
 }

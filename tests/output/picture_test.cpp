@@ -146,6 +146,15 @@ TEST(PictureFile, TurnsColoursWhereLargerIsBetter) {
     expect_colour(picture.sample(2 * quarter, 9, 2, 5), kViridis[quarter]);
 }
 
+TEST(PictureFile, SharesTheColoursOfARange) {
+  PictureOptions options;
+  options.range = {1, 3};  // of which the values 1 to 2 are the brighter half
+  Picture picture(ramp(), options);
+  picture.find_plot();
+  expect_colour(picture.sample(4, 9, 2, 5), kViridis[3]);
+  expect_colour(picture.sample(8, 9, 3, 5), kViridis[2]);
+}
+
 TEST(PictureFile, FollowsTheLogarithm) {
   PictureOptions options;
   options.log10 = true;

@@ -1,9 +1,9 @@
 // Colours that compared maps share, and what a change is.
+#include "report/stills.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
-
-#include "report/stills.h"
 
 namespace delos::report {
 namespace {
@@ -49,8 +49,8 @@ TEST(Change, TakesTheEndWhereOneOfBothIsBlind) {
   EXPECT_EQ(change.lost, 1u);
   EXPECT_EQ(change.field.value[0], -2);
   EXPECT_EQ(change.field.value[1], 1);
-  EXPECT_EQ(change.field.value[2], -change.end);   // better: smaller
-  EXPECT_EQ(change.field.value[3], change.end);  // worse
+  EXPECT_EQ(change.field.value[2], -change.end);  // better: smaller
+  EXPECT_EQ(change.field.value[3], change.end);   // worse
   EXPECT_EQ(change.field.value[4], kBlind);
   // The other way round where more is better.
   EXPECT_GT(change_between(before, after, true).field.value[2], 0);

@@ -26,10 +26,11 @@ async function accessible(page) {
 async function seen(page, name) {
   await drawn(page);
   const { drawn: some, all } = await pixels(page);
-  assert.ok(some > 0.05 * all, `${some} of ${all} pixels are drawn`);
+  assert.ok(some > 0.02 * all, `${some} of ${all} pixels are drawn`);
   await accessible(page);
   await picture(page, name);
-  await page.pdf({ path: join(pictures, `${name}.pdf`), format: 'A4' });
+  const pdf = await page.pdf({ path: join(pictures, `${name}.pdf`), format: 'A4' });
+  assert.ok(pdf.toString('latin1').match(/\/Type \/Page\b(?!s)/g).length > 2);
 }
 
 async function sceneReport(page) {

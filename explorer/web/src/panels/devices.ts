@@ -71,6 +71,7 @@ export class Devices {
   /** Nobody has weighed them. */
   unweighed(): void {
     this.verdict.hidden = true;
+    this.element.dataset.weighed = 'false';
   }
 
   /** Something has changed: what stands there is of before, until it is worked out anew. */

@@ -103,9 +103,9 @@ export class FrozenPicture {
         { className: 'middle' },
         this.viewport,
         cube.element,
-        h('div', { className: 'top-left' }, h('div', { className: 'tools' }, iconButton('fit', 'Look at the whole room', () => picture.stage.look('corner'))), this.compare.element),
+        h('div', { className: 'top-left' }, h('div', { className: 'tools' }, iconButton('fit', 'Look at the whole room', () => picture.stage.look('corner')))),
         this.bar.element,
-        h('div', { className: 'bottom-left' }, this.floor),
+        h('div', { className: 'bottom-left' }, this.compare.element, this.floor),
       ),
       h('div', { className: 'side' }, this.chosen.element),
     );

@@ -9,7 +9,6 @@ import { keyFigures } from './keyfigures';
 import { listing, paragraph, saidChange, saidCount, section, table, type Cell } from './parts';
 import { quoted, versions } from './provenance';
 
-const shownRegions = 8;
 const coordinates = (p: Vec3) => `(${p.map((x) => Number(x.toPrecision(3))).join(', ')})`;
 const between = ({ min, max }: Box) => `${coordinates(min)} to ${coordinates(max)} m`;
 
@@ -64,9 +63,8 @@ function those({ samples, views }: Region, key: 'sees' | 'hidden' | 'beyond'): s
 function blindRegions({ blind }: SceneReport): HTMLElement[] {
   const { regions } = blind;
   if (regions.length === 0) return [paragraph('None: every sample outside solids is observable.')];
-  const shown = regions.slice(0, shownRegions);
-  const rows = shown.map((r): Cell[] => [String(r.samples), between(r.box), r.why, those(r, 'sees'), those(r, 'hidden'), those(r, 'beyond')]);
-  const rest = blind.samples - shown.reduce((sum, r) => sum + r.samples, 0);
+  const rows = regions.map((r): Cell[] => [String(r.samples), between(r.box), r.why, those(r, 'sees'), those(r, 'hidden'), those(r, 'beyond')]);
+  const rest = blind.samples - regions.reduce((sum, r) => sum + r.samples, 0);
   return [
     table(
       'blind',
@@ -74,7 +72,7 @@ function blindRegions({ blind }: SceneReport): HTMLElement[] {
       ['samples', 'from, to', 'why', 'seen by', 'hidden from', 'outside the view of'],
       rows,
     ),
-    ...(rest > 0 ? [paragraph(`And ${counted(blind.count - shown.length, 'smaller region')} with ${counted(rest, 'sample')}.`, 'note')] : []),
+    ...(rest > 0 ? [paragraph(`And ${counted(blind.count - regions.length, 'smaller region')} with ${counted(rest, 'sample')}.`, 'note')] : []),
   ];
 }
 

@@ -23,14 +23,21 @@ function question({ objective, variables, constraints, after }: StudyReport): HT
   return [paragraph(`${text}, such that`), h('ul', {}, ...constraints.map((c) => h('li', {}, h('b', {}, c.name), `: ${c.words}.`)))];
 }
 
-function convergence({ search, study, variables }: StudyReport): HTMLElement[] {
+/** Acts end a round: where they stand among all evaluations. */
+function actsOf({ study: { rounds, acts } }: StudyReport) {
+  const before = (round: number) => rounds.filter((r) => r.round <= round).reduce((sum, r) => sum + r.evaluations, 0);
+  return acts.map((a) => ({ evaluation: before(a.after_round), text: `${a.verb} ${a.argument}` }));
+}
+
+function convergence(report: StudyReport): HTMLElement[] {
+  const { search, study, variables } = report;
   if (search.designs.length === 0) return [paragraph('Nothing has been evaluated so far.')];
   const unitOf = (path: string) => variables.find((v) => v.path === path)?.unit ?? '1';
-  const rounds = study.rounds.length > 1 ? ' Every round begins anew.' : '';
+  const rounds = study.rounds.length > 1 ? ' Every round begins anew; dashed lines are acts of a person.' : '';
   const lines = parallelCoordinates(search, unitOf, curve);
   return [
     figure(
-      searchCurve(search, curve),
+      searchCurve(search, curve, actsOf(report)),
       `${search.objective.name}: what was best as steps, designs that were looked at as dots, start after start, on the samples of the search. ` +
         `Designs that were looked at with soft edges (faint), or that break a constraint, don’t count as best.${rounds}`,
     ),
