@@ -15,9 +15,9 @@ namespace {
 using WrittenKey = std::pair<std::string, std::string>;
 
 /// What write_scene() writes: a key begins where a line isn't indented.
-std::vector<WrittenKey> keys_of(const Scene& scene) {
+std::vector<WrittenKey> keys_of(const std::string& text) {
   std::vector<WrittenKey> sections;
-  std::istringstream lines(write_scene(scene));
+  std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t colon = line.find(':');
     if (line.empty() || line[0] == ' ' || line[0] == '-' || colon == std::string::npos)
@@ -45,6 +45,11 @@ double& number_at(Scene& scene, const std::string& path, PluginRegistry& plugins
 }  // namespace
 
 std::vector<Override> changes_between(const Scene& from, const Scene& to) {
+  return changes_between_texts(write_scene(from), write_scene(to));
+}
+
+std::vector<Override> changes_between_texts(const std::string& from,
+                                            const std::string& to) {
   const std::vector<WrittenKey> before = keys_of(from), after = keys_of(to);
   std::vector<Override> changes;
   for (const auto& [key, text] : before)
