@@ -97,7 +97,8 @@ export class Searching {
 }
 
 /** What the panel's buttons do. */
-export const searchActions = (searching: () => Searching): SearchActions => ({
+export const searchActions = (searching: () => Searching, sheet: SearchActions['sheet']): SearchActions => ({
+  sheet,
   vary: (body) => searching().change('vary', body),
   fix: (path) => searching().change('fix', { path }),
   lock: (path, locked) => searching().do('search_lock', { path, locked }),

@@ -1,15 +1,17 @@
 // The search: what may change, how it goes on, and what was found.
 import { h, iconButton } from '../dom';
-import type { Device, DeviceType } from '../server';
+import type { Box, Device, DeviceType, SheetField } from '../server';
 import type { Searches } from '../searches';
 import type { Task } from '../searching';
 import { parallelCoordinates } from './parallel';
 import { SearchFront, type FrontActions } from './searchfront';
 import { SearchHistory } from './searchhistory';
 import { SearchRunPanel, type RunActions } from './searchrun';
+import { SheetForm, type SheetActions } from './sheetform';
 import { SearchVariables, type VariableActions } from './searchvariables';
 
 export interface SearchActions extends VariableActions, RunActions {
+  sheet: SheetActions;
   front: FrontActions['start'];
   reinstate: (search: number, which: { incumbent: number } | { point: number }) => void;
 }
@@ -20,6 +22,7 @@ export class SearchPanel {
   private readonly run: SearchRunPanel;
   private readonly history: SearchHistory;
   private readonly front: SearchFront;
+  private readonly aims: SheetForm;
   private readonly designs = h('div', { className: 'designs' });
   private offered: Task | null = null;
   private searches: Searches | null = null;
@@ -31,6 +34,8 @@ export class SearchPanel {
     this.run = new SearchRunPanel({ ...actions, start: (body) => actions.start({ ...body, locked: this.lockedNow() }) });
     this.history = new SearchHistory((search, incumbent) => actions.reinstate(search, { incumbent }));
     this.front = new SearchFront({ start: actions.front, reinstate: (search, point) => actions.reinstate(search, { point }) });
+    this.aims = new SheetForm(actions.sheet);
+    this.variables.element.append(this.aims.element);
     this.element = h(
       'section',
       { className: 'search', id: 'search', hidden: true, 'aria-label': 'Search for a better design' },
@@ -68,6 +73,11 @@ export class SearchPanel {
     this.front.offer(task);
     if (this.searches) this.show(this.searches);
     else this.variables.show(task, [...this.locked]);
+  }
+
+  /** What is made small, and what is kept. */
+  sheet(sections: SheetField[], room: Box): void {
+    this.aims.show(sections.filter((s) => s.path === 'objective' || s.path === 'constraints'), room);
   }
 
   begin(): void {

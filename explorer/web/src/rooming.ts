@@ -1,0 +1,124 @@
+// The room in the hand: its sheet, the body that is chosen, and boxes that are drawn.
+import { newGesture } from './gesture';
+import type { Painted, RoomPanel } from './panels/room';
+import type { SearchPanel } from './panels/search';
+import type { Picture, Shown } from './picture';
+import type { Session, Sheet } from './server';
+import { Painter } from './view/painter';
+import type { Viewing } from './viewing';
+
+export interface RoomSteps {
+  /** Send a change of the design; of those that wait for one place the newest counts. */
+  change: (place: string, verb: string, body: object) => void;
+  failed: (error: unknown) => void;
+  say: (text: string) => void;
+  /** Something else is chosen. */
+  chosen: () => void;
+}
+
+export class Rooming {
+  private readonly painter: Painter;
+  private session: Session | null = null;
+  private asked = -1;
+
+  constructor(
+    private readonly panel: RoomPanel,
+    private readonly search: SearchPanel,
+    picture: Picture,
+    private readonly shown: Shown,
+    private readonly steps: RoomSteps,
+  ) {
+    this.painter = new Painter(picture.stage);
+  }
+
+  open(session: Session): void {
+    this.session = session;
+    this.asked = -1;
+    this.painter.cancel();
+  }
+
+  /** The design is another one. */
+  describe(): void {
+    const { description, around } = this.shown;
+    const { body } = this.shown;
+    if (body && ![...around.occluders, ...around.regions].some((b) => b.path === body)) this.shown.body = null;
+    if (!description || (!this.panel.open && !this.search.open) || this.asked === description.revision) return;
+    this.asked = description.revision;
+    void this.ask();
+  }
+
+  private async ask(): Promise<void> {
+    const { session } = this;
+    try {
+      const { sections } = await session!.ask<Sheet>('sheet');
+      if (session !== this.session) return;
+      const { room } = this.shown.description!;
+      this.panel.show(sections, room);
+      this.search.sheet(sections, room);
+      if (this.shown.body) this.panel.reveal(this.shown.body);
+    } catch (error) {
+      this.steps.failed(error);
+    }
+  }
+
+  toggle(): void {
+    this.panel.element.hidden = !this.panel.element.hidden;
+    if (this.panel.open) {
+      this.describe();
+      this.panel.element.focus();
+    } else this.choose(null);
+  }
+
+  /** @param path "occluders.table"; of what is no body nothing is chosen in the picture */
+  choose(path: string | null): void {
+    const { around } = this.shown;
+    const body = path && [...around.occluders, ...around.regions].some((b) => b.path === path) ? path : null;
+    if (body === this.shown.body) return;
+    this.shown.body = body;
+    if (body) {
+      this.shown.selected = null;
+      this.panel.element.hidden = false;
+      this.panel.reveal(body);
+    }
+    this.steps.chosen();
+  }
+
+  /** @param step from the chosen one, in the order of the scene */
+  next(step: number): void {
+    const { around, body } = this.shown;
+    const paths = [...around.occluders, ...around.regions].map((b) => b.path).filter(Boolean);
+    const at = paths.indexOf(body ?? '');
+    if (paths.length > 0) this.choose(paths[at < 0 ? 0 : (at + step + paths.length) % paths.length]!);
+  }
+
+  shape(change: { p?: number[]; size?: number[] }, gesture: string): void {
+    const path = this.shown.body!;
+    this.steps.change(`shape ${path}`, 'shape', { path, gesture, ...change });
+  }
+
+  /** Draw a box: on the slice across z where there is one, else on the floor. */
+  paint(what: Painted, viewing: Viewing, colour: string): void {
+    const { box } = this.shown.description!;
+    const z = viewing.slices[2] && viewing.at[2] > box.min[2] ? viewing.at[2] : box.min[2];
+    this.steps.say(`Drag a rectangle at z = ${Number(z.toFixed(3))} m; Esc gives it up`);
+    this.painter.start(z, colour, (drawn) => {
+      this.steps.say('');
+      if (drawn) this.steps.change(newGesture(), 'paint', { what, ...drawn });
+    });
+  }
+
+  /** @returns whether the key was for it */
+  take({ key }: KeyboardEvent): boolean {
+    if (!this.painter.at || key !== 'Escape') return false;
+    this.painter.cancel();
+    return true;
+  }
+}
+
+/** What the fields of a sheet do. */
+export const sheetActions = (rooming: () => Rooming, change: RoomSteps['change']) => ({
+  edit: (set: { path: string; value: string }[], gesture: string) => change(`edit ${set.map((s) => s.path).join()}${gesture ? '' : newGesture()}`, 'edit', { set, gesture }),
+  copyPart: (path: string) => change(newGesture(), 'copy_part', { path }),
+  renamePart: (path: string, name: string) => change(newGesture(), 'rename_part', { path, name }),
+  open: (path: string) => rooming().choose(path),
+});
