@@ -70,6 +70,7 @@ constexpr Verb kVerbs[] = {
     {"search_follow", search_follow, true},
     {"search_accept", search_accept, true},
     {"search_reject", search_reject, true},
+    {"terms", terms, false},
     {"search_reinstate", search_reinstate, true},
 };
 

@@ -68,6 +68,7 @@ void tell_search(Visitor& visitor);
 [[nodiscard]] Reply task(const Work& work);
 [[nodiscard]] Reply vary(const Work& work);
 [[nodiscard]] Reply fix(const Work& work);
+[[nodiscard]] Reply terms(const Work& work);
 [[nodiscard]] Reply searches(const Work& work);
 [[nodiscard]] Reply search_start(const Work& work);
 [[nodiscard]] Reply select_start(const Work& work);
