@@ -62,7 +62,10 @@ export class App {
       room: () => this.rooming.toggle(),
       paint: () => this.rooming.paint(this.layout.room.chosen, this.viewing, this.colours.selected),
       nextBody: (step: number) => this.rooming.next(step),
-      search: () => this.searching.toggle(this.shown.selected),
+      search: () => {
+        this.searching.toggle(this.shown.selected);
+        this.rooming.describe();
+      },
       beginSearch: () => this.searching.begin(),
       pauseSearch: () => this.searching.pauseOrResume(),
       keepSearch: () => this.layout.search.keep(),

@@ -20,6 +20,8 @@ export class Rooming {
   private readonly painter: Painter;
   private session: Session | null = null;
   private asked = -1;
+  /** Bodies and regions that there were. */
+  private paths: string[] = [];
 
   constructor(
     private readonly panel: RoomPanel,
@@ -34,17 +36,36 @@ export class Rooming {
   open(session: Session): void {
     this.session = session;
     this.asked = -1;
+    this.paths = this.pathsNow();
     this.painter.cancel();
   }
 
   /** The design is another one. */
   describe(): void {
-    const { description, around } = this.shown;
-    const { body } = this.shown;
-    if (body && ![...around.occluders, ...around.regions].some((b) => b.path === body)) this.shown.body = null;
+    const { description } = this.shown;
+    this.follow();
     if (!description || (!this.panel.open && !this.search.open) || this.asked === description.revision) return;
     this.asked = description.revision;
     void this.ask();
+  }
+
+  /** One more is chosen; one that has another name stays so. */
+  private follow(): void {
+    const before = this.paths;
+    const now = (this.paths = this.pathsNow());
+    const made = now.filter((path) => !before.includes(path));
+    const { body } = this.shown;
+    const gone = body !== null && !now.includes(body);
+    if (gone) this.shown.body = null;
+    const more = now.length === before.length + 1 || (gone && now.length === before.length);
+    if (more && made.length === 1) this.choose(made[0]!);
+    else if (gone) this.steps.chosen();
+  }
+
+  /** Those that a hand can change, in the order of the scene. */
+  private pathsNow(): string[] {
+    const { around } = this.shown;
+    return [...around.occluders, ...around.regions].map((b) => b.path).filter(Boolean);
   }
 
   private async ask(): Promise<void> {
@@ -71,8 +92,7 @@ export class Rooming {
 
   /** @param path "occluders.table"; of what is no body nothing is chosen in the picture */
   choose(path: string | null): void {
-    const { around } = this.shown;
-    const body = path && [...around.occluders, ...around.regions].some((b) => b.path === path) ? path : null;
+    const body = path && this.pathsNow().includes(path) ? path : null;
     if (body === this.shown.body) return;
     this.shown.body = body;
     if (body) {
@@ -85,9 +105,8 @@ export class Rooming {
 
   /** @param step from the chosen one, in the order of the scene */
   next(step: number): void {
-    const { around, body } = this.shown;
-    const paths = [...around.occluders, ...around.regions].map((b) => b.path).filter(Boolean);
-    const at = paths.indexOf(body ?? '');
+    const paths = this.pathsNow();
+    const at = paths.indexOf(this.shown.body ?? '');
     if (paths.length > 0) this.choose(paths[at < 0 ? 0 : (at + step + paths.length) % paths.length]!);
   }
 
