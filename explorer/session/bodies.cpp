@@ -14,8 +14,8 @@ namespace {
 
 /// A body of a scene, with where it stands.
 struct BodyAt {
-  Body& body;
-  Placement& placement;
+  Body* body;
+  Placement* placement;
 };
 
 template <class Entry>
@@ -23,7 +23,7 @@ std::optional<BodyAt> find_body(std::vector<Entry>& entries, const std::string& 
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string& own = entries[i].name;
     if ((own.empty() ? std::to_string(i) : own) == name)
-      return BodyAt{entries[i].body, entries[i].placement};
+      return BodyAt{&entries[i].body, &entries[i].placement};
   }
   return std::nullopt;
 }
@@ -42,21 +42,21 @@ BodyAt body_at(Scene& scene, const std::string& path) {
 Eigen::Vector3d middle_of(const BodyAt& at) {
   Eigen::AlignedBox3d bounds;
   for (const Eigen::Vector3d& v :
-       transformed(body_mesh(at.body), pose_of(at.placement)).vertices)
+       transformed(body_mesh(*at.body), pose_of(*at.placement)).vertices)
     bounds.extend(v);
   return bounds.center();
 }
 
 /// A box that has no place but its corners is moved by them.
 void move_by(const BodyAt& at, const Eigen::Vector3d& step) {
-  auto* box = std::get_if<BoxShape>(&at.body);
-  if (box && at.placement == Placement{}) {
+  auto* box = std::get_if<BoxShape>(at.body);
+  if (box && *at.placement == Placement{}) {
     box->min += step;
     box->max += step;
     return;
   }
-  at.placement.at += step;
-  if (auto* aim = std::get_if<Aim>(&at.placement.facing)) aim->at += step;
+  at.placement->at += step;
+  if (auto* aim = std::get_if<Aim>(&at.placement->facing)) aim->at += step;
 }
 
 /// What a hand has drawn, to a tenth of a millimetre.
@@ -99,7 +99,7 @@ std::vector<Override> shaping(const Scene& scene, const std::string& path,
   Scene changed = scene;
   const BodyAt at = body_at(changed, path);
   if (size) {
-    auto* box = std::get_if<BoxShape>(&at.body);
+    auto* box = std::get_if<BoxShape>(at.body);
     if (!box)
       throw Refusal(Blame::question, path + " is no box: change its own numbers");
     if (!(size->minCoeff() > 0))

@@ -175,7 +175,7 @@ await test('a hand while it runs, and designs of before', [roomOf('10-better-spe
   await page.click('#plot-terms');
   await page.waitForSelector('.terms-plot circle');
   const words = await page.getAttribute('.terms-plot svg', 'aria-label');
-  assert.match(words, /^mean eigmax against 8-norm eigmax of \d+ designs/);
+  assert.match(words, /^mean eigmax against p-norm of eigmax of \d+ designs/);
   assert.equal(await page.locator('.terms-plot circle').count(), await page.locator('[data-incumbent]').count());
   const places = await page.$$eval('.terms-plot circle', (all) => all.map((c) => [Number(c.dataset.x), Number(c.dataset.y)]));
   assert.ok(places.every(([x, y]) => x >= y), 'no mean is above the 8-norm');
