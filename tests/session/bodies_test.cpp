@@ -9,7 +9,8 @@ namespace delos::session {
 namespace {
 
 /// The bounds of a region or an occluder, from what a page draws.
-Eigen::AlignedBox3d drawn(const Design& design, const char* kind, std::size_t i) {
+Eigen::AlignedBox3d bounds_drawn(const Design& design, const char* kind,
+                                 std::size_t i) {
   const Json json = surroundings(design)[kind][i];
   Eigen::AlignedBox3d box;
   for (std::size_t k = 0; k < json["vertices"].size(); k += 3)
@@ -18,7 +19,7 @@ Eigen::AlignedBox3d drawn(const Design& design, const char* kind, std::size_t i)
   return box;
 }
 
-Design room() {
+Design room_of_bodies() {
   Design design = design_of("05-optitrack-lab");
   change(design, {{"occluders",
                    "[{name: table, box: {min: [0, 0, 0], max: [1, 2, 0.7]}}, "
@@ -30,17 +31,17 @@ Design room() {
 }
 
 TEST(Bodies, AreMoved) {
-  Design design = room();
+  Design design = room_of_bodies();
   const Eigen::Vector3d p(-0.25, 0.5, 1.125);
   change(design, shaping(design.loaded().scene, "occluders.table", p, {}));
-  EXPECT_LT((drawn(design, "occluders", 0).center() - p).norm(), 1e-6);
+  EXPECT_LT((bounds_drawn(design, "occluders", 0).center() - p).norm(), 1e-6);
   EXPECT_EQ(std::get<BoxShape>(design.loaded().scene.occluders[0].body).min,
             Eigen::Vector3d(-0.75, -0.5, 0.775))
       << "by its corners, since it has no place";
   change(design, shaping(design.loaded().scene, "occluders.1", p, {}));
-  EXPECT_LT((drawn(design, "occluders", 1).center() - p).norm(), 1e-6);
+  EXPECT_LT((bounds_drawn(design, "occluders", 1).center() - p).norm(), 1e-6);
   change(design, shaping(design.loaded().scene, "regions.door", p, {}));
-  EXPECT_LT((drawn(design, "regions", 0).center() - p).norm(), 1e-6);
+  EXPECT_LT((bounds_drawn(design, "regions", 0).center() - p).norm(), 1e-6);
   EXPECT_EQ(design.surroundings(), 4u) << "the room was drawn anew each time";
   change(design, {{"devices.c104325.at.x", "2"}});
   EXPECT_EQ(design.surroundings(), 4u);
@@ -49,11 +50,11 @@ TEST(Bodies, AreMoved) {
 }
 
 TEST(Bodies, HaveOtherSizesAboutTheirMiddle) {
-  Design design = room();
-  const Eigen::Vector3d middle = drawn(design, "regions", 0).center();
+  Design design = room_of_bodies();
+  const Eigen::Vector3d middle = bounds_drawn(design, "regions", 0).center();
   change(design, shaping(design.loaded().scene, "regions.door", {},
                          Eigen::Vector3d(3, 1, 0.5)));
-  const Eigen::AlignedBox3d box = drawn(design, "regions", 0);
+  const Eigen::AlignedBox3d box = bounds_drawn(design, "regions", 0);
   // Along its own axes: it is turned by a right angle.
   EXPECT_LT((box.sizes() - Eigen::Vector3d(1, 3, 0.5)).norm(), 1e-6);
   EXPECT_LT((box.center() - middle).norm(), 1e-6);
@@ -65,7 +66,7 @@ TEST(Bodies, HaveOtherSizesAboutTheirMiddle) {
 }
 
 TEST(Bodies, AreDrawnAsBoxes) {
-  Design design = room();
+  Design design = room_of_bodies();
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, 0.5),
                                 Eigen::Vector3d(0.25, 0.5, 0.5));
   const double height = sample_box(design.loaded().scene).sizes().z();

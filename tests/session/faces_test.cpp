@@ -11,7 +11,7 @@ namespace {
 constexpr double kOnIt = 1e-9;
 
 /// The laboratory with a table, whose top is at 0.7 m, and a patch that slants by 45°.
-Design room() {
+Design room_with_a_roof() {
   Design design = design_of("05-optitrack-lab");
   change(design,
          {{"occluders", "[{name: table, box: {min: [0, 0, 0], max: [1, 2, 0.7]}}]"},
@@ -21,7 +21,7 @@ Design room() {
 }
 
 TEST(Faces, HoldWhatIsNear) {
-  const Design design = room();
+  const Design design = room_with_a_roof();
   const Faces faces(design.loaded(), "");
   const auto top = faces.nearest({0.4, 0.5, 0.73}, 0.05);
   ASSERT_TRUE(top);
@@ -38,7 +38,7 @@ TEST(Faces, HoldWhatIsNear) {
 }
 
 TEST(Faces, AreMetByRaysFromTheirFreeSide) {
-  const Design design = room();
+  const Design design = room_with_a_roof();
   const Faces faces(design.loaded(), "");
   // Down on the table, by a slanted ray of any length: (0.2, 0.4, 0.7) + s·(1, 2, 4).
   const Eigen::Vector3d on(0.2, 0.4, 0.7), along(-0.1, -0.2, -0.4);
@@ -61,7 +61,7 @@ TEST(Faces, AreMetByRaysFromTheirFreeSide) {
 
 /// The device in the hand makes no wall for itself.
 TEST(Faces, AreThoseOfOthers) {
-  Design design = room();
+  Design design = room_with_a_roof();
   change(design, {{"devices.c104325.at.x", "9"}});
   const Eigen::Vector3d from(-50, -3, 2.5), along(1, 0, 0);
   EXPECT_NEAR(Faces(design.loaded(), "").first(from, along)->p.x(), 9, kOnIt);

@@ -90,9 +90,13 @@ export class Rooming {
     } else this.choose(null);
   }
 
-  /** @param path "occluders.table"; of what is no body nothing is chosen in the picture */
-  choose(path: string | null): void {
-    const body = path && this.pathsNow().includes(path) ? path : null;
+  /** A part of the sheet was opened: one that is a body is chosen. */
+  opened(path: string): void {
+    if (this.pathsNow().includes(path)) this.choose(path);
+  }
+
+  /** @param body "occluders.table" */
+  choose(body: string | null): void {
     if (body === this.shown.body) return;
     this.shown.body = body;
     if (body) {
@@ -139,5 +143,5 @@ export const sheetActions = (rooming: () => Rooming, change: RoomSteps['change']
   edit: (set: { path: string; value: string }[], gesture: string) => change(`edit ${set.map((s) => s.path).join()}${gesture ? '' : newGesture()}`, 'edit', { set, gesture }),
   copyPart: (path: string) => change(newGesture(), 'copy_part', { path }),
   renamePart: (path: string, name: string) => change(newGesture(), 'rename_part', { path, name }),
-  open: (path: string) => rooming().choose(path),
+  open: (path: string) => rooming().opened(path),
 });

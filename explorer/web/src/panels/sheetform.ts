@@ -21,6 +21,9 @@ const metres = { name: 'm', factor: 1 };
 /** What of a field its elements depend on; its value alone doesn't count. */
 const structure = (field: SheetField): unknown => [field.path, field.kind, field.known, field.add?.map((a) => a.path + a.label), field.members?.map(structure)];
 
+/** What a member is made of is open with it. */
+const isInner = (field: SheetField) => field.path.split('.').length > 2 && !field.copy;
+
 let ids = 0;
 
 export class SheetForm {
@@ -49,7 +52,7 @@ export class SheetForm {
     const parts = path.split('.');
     parts.forEach((_, k) => this.opened.add(parts.slice(0, k + 1).join('.')));
     for (const details of this.element.querySelectorAll<HTMLDetailsElement>('details[data-part]')) {
-      details.open = this.opened.has(details.dataset.part!);
+      if (this.opened.has(details.dataset.part!)) details.open = true;
       if (details.dataset.part === path) details.scrollIntoView({ block: 'nearest' });
     }
   }
@@ -142,7 +145,7 @@ export class SheetForm {
       'details',
       {
         className: 'part',
-        open: this.opened.has(field.path),
+        open: this.opened.has(field.path) || isInner(field),
         'data-part': field.path,
         ontoggle: () => {
           if (details.open === this.opened.has(field.path)) return;
