@@ -24,6 +24,7 @@ const std::vector<Forms>& forms() {
       {"beacons", {"grid", "list"}},
       {"constraints", {"metric", "inside", "outside", "spacing", "tilt", "clear"}},
       {"groups", {"at"}},
+      {"motions", {"named"}},
       {"common_errors", {"place", "orientation", "offset", "scale"}},
   };
   return all;
@@ -81,6 +82,7 @@ Json Starts::known(const std::string& key) const {
   if (key == "u") return list(rounded({size.x(), 0, 0}));
   if (key == "v") return list(rounded({0, size.y(), 0}));
   if (key == "at") return list(rounded(c));
+  if (key == "expression") return loaded_.metric.name;
   if (key == "normal") return {"0", "0", "-1"};
   if (key == "counts") return {"9", "9"};
   if (key == "radius" || key == "height" || key == "spacing" || key == "distance")
@@ -88,7 +90,10 @@ Json Starts::known(const std::string& key) const {
   if (key == "step") return text(s / 10);
   if (key == "polygon") {
     const std::string a = text(s / 8), b = text(-s / 8);
-    return {{b, b}, {a, b}, {a, a}, {b, a}};
+    const auto corner = [](const std::string& x, const std::string& y) {
+      return Json::array({x, y});
+    };
+    return Json::array({corner(b, b), corner(a, b), corner(a, a), corner(b, a)});
   }
   if (key == "points" || key == "rail" || key == "clear" || key == "list")
     return {list(room_.min()), list(room_.max())};
@@ -134,13 +139,16 @@ Json Starts::value(const Shape& shape, const std::string& key) const {
 Json Starts::special(const std::string& place, const std::string& form) const {
   const Scene& scene = loaded_.scene;
   const std::string region = scene.regions.empty() ? "" : scene.regions.front().name;
-  if (place == "constraints" && (form == "inside" || form == "outside"))
-    return {{form, region}};
   if (place == "constraints" && form == "metric")
     return {{"metric", loaded_.metric.name},
             {loaded_.metric.larger_is_better ? "above" : "below", "1"}};
+  // All others are about devices: about all of them.
+  if (place == "constraints" && (form == "inside" || form == "outside"))
+    return {{form, region}, {"devices", "*"}};
   if (place == "constraints" && form == "clear")
-    return {{form, known(form)}, {"distance", known("distance")}};
+    return {{form, known(form)}, {"distance", known("distance")}, {"devices", "*"}};
+  if (place == "constraints")
+    return {{form, form == "tilt" ? Json("1") : known(form)}, {"devices", "*"}};
   if (place == "sample" && form == "path")
     return {{form, {{"points", known("points")}, {"count", "50"}}}};
   if (place == "sample" && form == "volume")

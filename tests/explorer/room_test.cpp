@@ -38,7 +38,7 @@ TEST(Rooms, AreChangedAsTheirSheetSays) {
   const Json painted =
       lab.ask("paint", {{"what", "region"}, {"min", {-1, 0, 0}}, {"max", {1, -1, 2}}});
   EXPECT_EQ(painted["surroundings"], 1);
-  lab.ask("edit", set("constraints.+", "{name: out, outside: region}"));
+  lab.ask("edit", set("constraints.+", "{name: out, outside: region, devices: '*'}"));
   lab.ask("rename_part", {{"path", "regions.region"}, {"name", "door"}});
   lab.ask("copy_part", {{"path", "regions.door"}});
   lab.ask("shape", {{"path", "regions.door_2"}, {"p", {1, 1, 1}}, {"gesture", "drag"}});
@@ -49,7 +49,8 @@ TEST(Rooms, AreChangedAsTheirSheetSays) {
   EXPECT_EQ(regions[1]["size"], Json({2, 1, 2}));
   EXPECT_EQ(lab.ask("describe", Json::object())["undo"], 5) << "a drag is one step";
   std::size_t sections = 0;
-  for (const Json& section : lab.ask("sheet", Json::object())["sections"])
+  const Json sheet = lab.ask("sheet", Json::object());
+  for (const Json& section : sheet["sections"])
     if (section["path"] == "regions" || section["path"] == "constraints")
       sections += section["members"].size();
   EXPECT_EQ(sections, 3u);

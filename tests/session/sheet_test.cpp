@@ -22,8 +22,8 @@ void each_field(const Json& field, const Visit& visit) {
 }
 
 void each_field(const Design& design, const Visit& visit) {
-  for (const Json& section : sheet(design.loaded(), plugins())["sections"])
-    each_field(section, visit);
+  const Json all = sheet(design.loaded(), plugins());
+  for (const Json& section : all["sections"]) each_field(section, visit);
 }
 
 Json field_at(const Design& design, const std::string& path) {
@@ -145,7 +145,8 @@ TEST(Sheet, OffersWhatCanBeAdded) {
       if (section == "constraints")
         edit(design, "regions.door", "{box: {min: [-9, -9, -9], max: [9, 9, 9]}}");
       Json again = act;
-      for (const Json& fresh : field_at(design, section)["add"])
+      const Json now = field_at(design, section);
+      for (const Json& fresh : now["add"])
         if (fresh["label"] == act["label"]) again = fresh;
       const std::string before = design.text();
       EXPECT_TRUE(can(design, again)) << again;
@@ -158,7 +159,7 @@ TEST(Sheet, CopiesRenamesAndRemoves) {
   Design design = design_of("05-optitrack-lab");
   edit(design, "regions.door", "{box: {min: [0, 0, 0], max: [1, 1, 2]}}");
   edit(design, "occluders.+", "{name: table, box: {min: [0, 0, 0], max: [1, 1, 1]}}");
-  edit(design, "constraints.+", "{name: out, outside: door}");
+  edit(design, "constraints.+", "{name: out, outside: door, devices: '*'}");
   const auto& scene = [&]() -> const Scene& { return design.loaded().scene; };
   change(design, copying_part(scene(), "regions.door"));
   change(design, copying_part(scene(), "occluders.table"));
@@ -210,9 +211,9 @@ TEST(Sheet, ChangesWhatIsShown) {
 TEST(Sheet, RefusesWithTheScenesOwnWords) {
   Design design = design_of("05-optitrack-lab");
   Diagnostics findings;
-  EXPECT_FALSE(
-      design.change(edits(design.loaded().scene, {{"constraints.+", "{inside: hall}"}}),
-                    "", plugins(), findings));
+  EXPECT_FALSE(design.change(
+      edits(design.loaded().scene, {{"constraints.+", "{inside: hall, devices: '*'}"}}),
+      "", plugins(), findings));
   ASSERT_FALSE(findings.empty());
   EXPECT_NE(
       findings[0].message.find("there is no region 'hall'; the scene declares none"),
