@@ -71,6 +71,7 @@ await test('what cannot be added, and a room by hand', [laboratory], async (page
   assert.ok(await page.isDisabled('[aria-label="Undo (Ctrl Z)"]'), 'and all is as it was');
   await page.click('dialog[open] [aria-label="Close"]', { timeout: 2000 }).catch(() => {});
   const first = await range(page);
+  const mean = await number(page, 'mean');
 
   // A body, by the keyboard alone: added, chosen, sized by a number, moved by typing.
   await page.focus('#viewport canvas');
@@ -90,7 +91,7 @@ await test('what cannot be added, and a room by hand', [laboratory], async (page
   for (const key of ['g', 'x', '0', '.', '2', '5', 'Enter']) await page.keyboard.press(key);
   await settled(page);
   assert.equal(await corner.first().inputValue(), '-1.25 m', 'its corner has moved with it');
-  assert.notDeepEqual(await range(page), first, 'it hides');
+  assert.ok((await number(page, 'mean')) > mean, 'it hides');
 
   // A region, drawn from above.
   await page.keyboard.press('7');
@@ -120,7 +121,7 @@ await test('what cannot be added, and a room by hand', [laboratory], async (page
   assert.deepEqual(await range(page), rangeOf(await save(page, 'room.yaml')), 'the command line says the same');
   for (let k = 0; k < 5; ++k) await page.keyboard.press('Control+z');
   await settled(page);
-  assert.deepEqual(await range(page), first);
+  assert.equal(await number(page, 'mean'), mean);
   assert.ok(await page.isDisabled('[aria-label="Undo (Ctrl Z)"]'), 'each is a step: all are taken back');
 }, 1);
 

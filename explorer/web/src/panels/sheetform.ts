@@ -165,6 +165,7 @@ export class SheetForm {
     const { actions } = this;
     const { path, remove } = field;
     if (!remove && !field.copy && !field.rename) return null;
+    if (remove && !field.copy && !field.rename) return iconButton('close', `Leave out ${path}`, () => actions.edit([remove], ''), 'icon leave');
     const name = h('input', { type: 'text', value: field.name, defaultValue: field.name, 'aria-label': `Name of ${path}`, spellcheck: false, autocomplete: 'off', onchange: () => actions.renamePart(path, name.value) });
     const button = (text: string, title: string, onclick: () => void) => h('button', { type: 'button', title, 'aria-label': title, onclick }, text);
     return h(
