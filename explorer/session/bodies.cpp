@@ -88,7 +88,7 @@ std::vector<Override> one_more_set(const Scene& scene, const Eigen::AlignedBox3d
                    {{"min", corner(box.min())},
                     {"max", corner(box.max())},
                     {"step", shortest(step)}}}});
-  return {{"sample", sets.dump()}};
+  return edits(scene, {{"sample", sets.dump()}});
 }
 
 }  // namespace

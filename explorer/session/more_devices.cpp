@@ -34,6 +34,10 @@ double roll_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
   return std::atan2(to.col(0).dot(from.col(1)), to.col(0).dot(from.col(0)));
 }
 
+/// Whether devices of a plugin are there to be carried below beacons: in the world,
+/// where they could stand, they would wait for the target to come by.
+bool looks_at_beacons(const std::string& type) { return type == "hiball"; }
+
 /// Beacons on a ceiling that is at least a hand's reach above the samples, and so much
 /// wider than they are that slanted views meet it, too.
 Override ceiling_over(const Eigen::AlignedBox3d& samples,
@@ -132,6 +136,10 @@ Ways adding(const LoadedScene& loaded, const std::string& type,
                           head + ", at: " + vector_text(place) +
                               (apart ? ", aim: " + vector_text(middle) : "") + "}"};
   const Override carried{"devices.+", head + ", mount: target}"};
+  if (looks_at_beacons(type) && !scene.beacons.empty())
+    return std::vector<std::vector<Override>>{{carried}};
+  if (looks_at_beacons(type))
+    return std::vector<std::vector<Override>>{{ceiling_over(samples, room), carried}};
   std::vector<std::vector<Override>> ways{{standing}, {carried}};
   if (scene.beacons.empty()) ways.push_back({ceiling_over(samples, room), carried});
   return ways;

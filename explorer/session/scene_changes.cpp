@@ -35,6 +35,21 @@ const std::string* find_key(const std::vector<WrittenKey>& sections,
   return found == sections.end() ? nullptr : &found->second;
 }
 
+/// Orientations may stand in `sample` or beside it: where one of the two is set, both
+/// are, so that they stand in one place.
+void keep_orientations(const std::vector<WrittenKey>& after,
+                       std::vector<Override>& changes) {
+  const auto is_set = [&](const std::string& key) {
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const Override& change) { return change.path == key; });
+  };
+  const bool sample = is_set("sample"), orientations = is_set("orientations");
+  if (sample == orientations) return;
+  const char* other = sample ? "orientations" : "sample";
+  if (const std::string* text = find_key(after, other))
+    changes.insert(changes.begin(), {other, *text});
+}
+
 double& number_at(Scene& scene, const std::string& path, PluginRegistry& plugins) {
   const auto found = find_number(scene, path, plugins);
   if (const auto* why = std::get_if<std::string>(&found))
@@ -58,6 +73,7 @@ std::vector<Override> changes_between_texts(const std::string& from,
     const std::string* old = find_key(before, key);
     if (!old || *old != text) changes.push_back({key, text});
   }
+  keep_orientations(after, changes);
   return changes;
 }
 

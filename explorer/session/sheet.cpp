@@ -230,6 +230,15 @@ class Form {
   }
 
   void table_group(Json& json, const Shape& shape, const Json& value) {
+    // Names that are paths themselves, as of a sum's factors, lead nowhere by one.
+    bool dotted = false;
+    for (const auto& [name, inner] : value.items())
+      dotted |= name.find('.') != std::string::npos;
+    if (dotted) {
+      json["kind"] = "text";
+      json["value"] = value.dump();
+      return;
+    }
     const std::string path = json["path"], help = json["help"];
     json["kind"] = "group";
     json["members"] = Json::array();

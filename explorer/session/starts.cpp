@@ -168,6 +168,7 @@ Json Starts::special(const std::string& place, const std::string& form) const {
 
 std::vector<Starts::Member> Starts::members(const Shape& item,
                                             const std::string& place) const {
+  if (item.kind == Shape::Kind::either) return members(item.forms().front(), place);
   std::vector<Member> all;
   for (const Forms& known_forms : forms()) {
     if (known_forms.place != place) continue;

@@ -122,7 +122,7 @@ TEST(Sheet, KnowsUnitsAndBounds) {
   EXPECT_EQ(radius["unit"], "m");
   EXPECT_EQ(radius["lower"], 0);
   EXPECT_TRUE(radius["upper"].is_null());
-  EXPECT_EQ(field_at(design, "motion.q.0")["unit"], "m^2/s^3");
+  EXPECT_EQ(field_at(design, "sample.volume.step")["unit"], "m");
   EXPECT_EQ(field_at(design, "constraints.good.below")["unit"], "m");
   const Json metric = field_at(design, "constraints.good.metric");
   EXPECT_NE(std::find(metric["known"].begin(), metric["known"].end(), "eigmax"),
@@ -135,7 +135,7 @@ TEST(Sheet, KnowsUnitsAndBounds) {
 TEST(Sheet, OffersWhatCanBeAdded) {
   for (const std::string section :
        {"occluders", "regions", "sample", "surfaces", "beacons", "groups", "clutter",
-        "motions", "constraints", "objective", "clocks"}) {
+        "motions", "constraints", "objective"}) {
     const Json offered = field_at(design_of("05-optitrack-lab"), section)["add"];
     EXPECT_FALSE(offered.empty()) << section;
     for (const Json& act : offered) {
