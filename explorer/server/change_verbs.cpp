@@ -2,6 +2,7 @@
 
 #include "server/request.h"
 #include "server/verbs.h"
+#include "session/faces.h"
 #include "session/more_devices.h"
 #include "session/placing.h"
 
@@ -17,8 +18,8 @@ Reply changed_somehow(const Work& work, const session::Ways& ways) {
   if (const auto* why = std::get_if<std::string>(&ways))
     return refusal(Status::unprocessable, *why);
   std::optional<Reply> first;
-  for (const Override& way : std::get<std::vector<Override>>(ways)) {
-    Reply reply = changed(work, {way}, gesture_of(work));
+  for (const std::vector<Override>& way : std::get<0>(ways)) {
+    Reply reply = changed(work, way, gesture_of(work));
     if (reply.status == Status::ok) return reply;
     if (!first) first = std::move(reply);
   }
@@ -27,6 +28,33 @@ Reply changed_somehow(const Work& work, const session::Ways& ways) {
 
 const session::LoadedScene& loaded_of(const Work& work) {
   return work.visitor.design.loaded();
+}
+
+/// Where a device that is moved to p goes, and how it is turned there.
+void stick(const Work& work, const Json& how, Eigen::Vector3d& p,
+           std::optional<Eigen::Matrix3d>& R) {
+  constexpr double kUsual = 0.05, kFarthest = 1;
+  if (!how.is_object()) throw BadRequest("'stick' must be {within, turn, ray}");
+  const std::string device = text_at(work.request, "device");
+  const session::Faces faces(loaded_of(work), device);
+  std::optional<session::Contact> contact;
+  if (how.contains("ray")) {
+    const Json& ray = how["ray"];
+    if (!ray.is_object()) throw BadRequest("'ray' must be {from, along}");
+    const Eigen::Vector3d from = numbers_at(member(ray, "from"), "from", 3),
+                          along = numbers_at(member(ray, "along"), "along", 3);
+    if (along.norm() < 1e-9) throw BadRequest("'along' has no length");
+    contact = faces.first(from, along);
+  }
+  if (!contact) contact = faces.nearest(p, number_or(how, "within", kUsual, kFarthest));
+  if (!contact) return;
+  p = contact->p;
+  const Json turn = how.value("turn", Json(false));
+  if (!turn.is_boolean()) throw BadRequest("'turn' must be true or false");
+  if (!turn.get<bool>()) return;
+  for (const PlacedDevice& placed : loaded_of(work).system.devices)
+    if (placed.name == device && !placed.carried())
+      R = session::turned_to(placed.X_WS().R, contact->normal);
 }
 
 /// After undo and redo: where there was nothing to do, all stays.
@@ -54,17 +82,23 @@ Reply changed(const Work& work, std::vector<Override> changes,
   return json_reply(described(work.visitor, work.plugins));
 }
 
-Reply change(const Work& work) {
-  const Json& set = member(work.request, "set");
+std::vector<Override> changes_asked(const Json& request) {
+  const Json& set = member(request, "set");
   if (!set.is_array()) throw BadRequest("'set' must be a list of {path, value}");
   std::vector<Override> changes;
   for (const Json& one : set) {
     if (!one.is_object()) throw BadRequest("'set' must be a list of {path, value}");
     changes.push_back({text_at(one, "path"), text_at(one, "value")});
   }
-  return changed(work, std::move(changes), gesture_of(work));
+  return changes;
 }
 
+Reply change(const Work& work) {
+  return changed(work, changes_asked(work.request), gesture_of(work));
+}
+
+/// {device, p, q, stick: {within, turn, ray: {from, along}}}: a device that is to stick
+/// goes to the face that the ray meets, else to one that is near enough; else to p
 Reply place(const Work& work) {
   const Json& request = work.request;
   std::optional<Eigen::Vector3d> p;
@@ -75,6 +109,7 @@ Reply place(const Work& work) {
     if (q.norm() < 1e-6) throw BadRequest("'q' has no length");
     R = Eigen::Quaterniond(q(0), q(1), q(2), q(3)).normalized().toRotationMatrix();
   }
+  if (p && request.contains("stick")) stick(work, request["stick"], *p, R);
   auto changes =
       session::placing(loaded_of(work).scene, text_at(request, "device"), p, R);
   if (const auto* why = std::get_if<std::string>(&changes))

@@ -5,6 +5,7 @@
 #include "server/search_request.h"
 #include "session/front_run.h"
 #include "session/selection_run.h"
+#include "session/term_values.h"
 
 namespace delos::server {
 namespace {
@@ -120,6 +121,27 @@ Reply search_reject(const Work& work) {
   ++visitor.revision;
   tell_search(visitor);
   return json_reply(described(visitor, work.plugins));
+}
+
+/// {search, incumbents: [number]}: what each term of the objective is worth of them
+Reply terms(const Work& work) {
+  constexpr std::size_t kMostDesigns = 100, kSamples = 1500;
+  Searched* searched = work.visitor.searches.find(
+      static_cast<int>(number_or(work.request, "search", 0, 1e9)));
+  if (!searched) throw BadRequest("there is no such search any more");
+  const Json& asked = member(work.request, "incumbents");
+  if (!asked.is_array() || asked.empty() || asked.size() > kMostDesigns)
+    throw BadRequest("'incumbents' must be a list of 1 to 100 numbers");
+  std::vector<session::VariableValues> designs;
+  for (const Json& one : asked) {
+    if (!one.is_number_unsigned())
+      throw BadRequest("'incumbents' must be a list of 1 to 100 numbers");
+    designs.push_back(run_of(*searched).incumbent(one.get<std::size_t>()));
+  }
+  Json json = session::term_values(scene_of_design(work), designs, kSamples,
+                                   work.threads, work.stop, work.plugins);
+  if (*work.stop) return refusal(Status::conflict, "a newer request took its place");
+  return json_reply(json);
 }
 
 /// {search, incumbent} or {search, point}, by number: that design, as a step

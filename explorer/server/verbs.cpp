@@ -39,6 +39,12 @@ constexpr Verb kVerbs[] = {
     {"array", array, true},
     {"mirror", mirror, true},
     {"remove", remove, true},
+    {"sheet", sheet, false},
+    {"edit", edit, true},
+    {"copy_part", copy_part, true},
+    {"rename_part", rename_part, true},
+    {"shape", shape, true},
+    {"paint", paint, true},
     {"undo", undo, true},
     {"redo", redo, true},
     {"pin", pin, true},
@@ -66,6 +72,7 @@ constexpr Verb kVerbs[] = {
     {"search_follow", search_follow, true},
     {"search_accept", search_accept, true},
     {"search_reject", search_reject, true},
+    {"terms", terms, false},
     {"search_reinstate", search_reinstate, true},
 };
 

@@ -48,6 +48,16 @@ struct Verb {
 [[nodiscard]] Reply pin(const Work& work);
 [[nodiscard]] Reply unpin(const Work& work);
 
+// Those of the room, whatever it is made of. @throws BadRequest
+[[nodiscard]] Reply sheet(const Work& work);
+[[nodiscard]] Reply edit(const Work& work);
+[[nodiscard]] Reply copy_part(const Work& work);
+[[nodiscard]] Reply rename_part(const Work& work);
+[[nodiscard]] Reply shape(const Work& work);
+[[nodiscard]] Reply paint(const Work& work);
+
+/// The list of {path, value} under "set". @throws BadRequest
+[[nodiscard]] std::vector<Override> changes_asked(const Json& request);
 /// Take a change over, and describe what came of it; a search at work goes on from
 /// there.
 /// @throws BadRequest there is nothing to change
@@ -60,6 +70,7 @@ void tell_search(Visitor& visitor);
 [[nodiscard]] Reply task(const Work& work);
 [[nodiscard]] Reply vary(const Work& work);
 [[nodiscard]] Reply fix(const Work& work);
+[[nodiscard]] Reply terms(const Work& work);
 [[nodiscard]] Reply searches(const Work& work);
 [[nodiscard]] Reply search_start(const Work& work);
 [[nodiscard]] Reply select_start(const Work& work);

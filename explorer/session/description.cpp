@@ -74,20 +74,52 @@ Json device_json(const DeviceEntry& entry, const PlacedDevice& placed,
   return json;
 }
 
-Json body_json(const OccluderEntry& entry) {
-  // Those on the target stand in its frame.
-  const TriangleMesh mesh =
-      transformed(body_mesh(entry.body), pose_of(entry.placement));
+/// Triangles of a body, placed: those on the target stand in its frame.
+Json mesh_json(const TriangleMesh& mesh) {
   Json vertices = Json::array(), triangles = Json::array();
   for (const Eigen::Vector3d& p : mesh.vertices)
     for (const double x : p) vertices.push_back(static_cast<float>(x));
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t corner : triangle) triangles.push_back(corner);
-  return {{"name", entry.name},
-          {"carried", entry.mount == Mount::target},
-          {"room", entry.room},
-          {"vertices", std::move(vertices)},
-          {"triangles", std::move(triangles)}};
+  return {{"vertices", std::move(vertices)}, {"triangles", std::move(triangles)}};
+}
+
+template <class Entry>
+Json body_json(const Entry& entry, const std::string& path) {
+  const TriangleMesh own = body_mesh(entry.body);
+  Eigen::AlignedBox3d bounds;
+  for (const Eigen::Vector3d& v : own.vertices) bounds.extend(v);
+  Json json{{"name", entry.name}, {"path", path}, {"size", Json()}};
+  if (std::holds_alternative<BoxShape>(entry.body))
+    json["size"] = numbers(bounds.sizes());
+  json["R"] = rows(pose_of(entry.placement).R);
+  json.update(mesh_json(transformed(own, pose_of(entry.placement))));
+  return json;
+}
+
+/// Of drawn bodies none has a path of its own.
+Json occluder_json(const OccluderEntry& entry, const std::string& path) {
+  Json json = body_json(entry, path);
+  json["carried"] = entry.mount == Mount::target;
+  json["room"] = entry.room;
+  return json;
+}
+
+Json surface_json(const SurfaceEntry& entry) {
+  if (const auto* rail = std::get_if<RailSurface>(&entry.shape)) {
+    Json line = Json::array();
+    for (const Eigen::Vector3d& p : rail->points) line.push_back(numbers(p));
+    return line;
+  }
+  const auto* patch = std::get_if<PatchSurface>(&entry.shape);
+  if (!patch) return Json::array();
+  const PatchSurface& s = *patch;
+  Json line = Json::array();
+  for (const Eigen::Vector3d& p : {s.origin, Eigen::Vector3d(s.origin + s.u),
+                                   Eigen::Vector3d(s.origin + s.u + s.v),
+                                   Eigen::Vector3d(s.origin + s.v), s.origin})
+    line.push_back(numbers(p));
+  return line;
 }
 
 }  // namespace
@@ -110,7 +142,8 @@ Eigen::AlignedBox3d room_box(const LoadedScene& loaded) {
 Json description(const Design& design, std::size_t revision, PluginRegistry& plugins) {
   Json json{{"revision", revision},
             {"undo", design.history().undoable()},
-            {"redo", design.history().redoable()}};
+            {"redo", design.history().redoable()},
+            {"surroundings", design.surroundings()}};
   json.update(description(design.loaded(), plugins));
   return json;
 }
@@ -141,9 +174,21 @@ Json description(const LoadedScene& loaded, PluginRegistry& plugins) {
 }
 
 Json surroundings(const Scene& scene) {
-  Json json{{"occluders", Json::array()}, {"beacons", Json::array()}};
-  for (const OccluderEntry& entry : all_occluders(scene))
-    json["occluders"].push_back(body_json(entry));
+  Json json{{"occluders", Json::array()},
+            {"regions", Json::array()},
+            {"surfaces", Json::array()},
+            {"beacons", Json::array()}};
+  const std::vector<OccluderEntry> all = all_occluders(scene);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& name = all[i].name;
+    const bool drawn = i >= scene.occluders.size();
+    json["occluders"].push_back(occluder_json(
+        all[i], drawn ? "" : "occluders." + (name.empty() ? std::to_string(i) : name)));
+  }
+  for (const RegionEntry& entry : scene.regions)
+    json["regions"].push_back(body_json(entry, "regions." + entry.name));
+  for (const SurfaceEntry& entry : scene.surfaces)
+    json["surfaces"].push_back(surface_json(entry));
   for (const BeaconSet& set : scene.beacons)
     for (const Beacon& beacon : lit_beacons(set))
       json["beacons"].push_back(numbers(beacon.p));

@@ -8,7 +8,8 @@ namespace delos::session {
 
 /// What there is, where it stands and what may be changed:
 ///
-///   {revision, undo, redo, name, metric: {name, unit, larger_is_better}, metrics,
+///   {revision, undo, redo, name, surroundings, metric: {name, unit, larger_is_better},
+///   metrics,
 ///    definition, fusion, box: {min, max} of the samples, room: {min, max} of devices
 ///    too, devices: [{name, type, rate, mount, group, surface, coordinates, at, facing,
 ///               value, pose: {p, R}, params: {name: value}, outline}],
@@ -23,11 +24,14 @@ namespace delos::session {
 
 /// What devices see by or are hidden by:
 ///
-///   {occluders: [{name, carried, room, vertices: [x, y, z, …], triangles: [i, j, k,
-///   …]}],
+///   {occluders: [{name, path, size, R, vertices: [x, y, z, …], triangles: [i, j, k,
+///   …],
+///                 carried, room}],
+///    regions: the same without the last two, surfaces: [line of points, …],
 ///    beacons: [[x, y, z], …]}
 ///
-/// Occluders are placed in the world, carried ones in the target's frame.
+/// Occluders are placed in the world, carried ones in the target's frame. A path is ""
+/// where a hand can't change it; a size, along the axes of R, is null but for boxes.
 [[nodiscard]] Json surroundings(const Scene& scene);
 
 /// Around all samples, metres.

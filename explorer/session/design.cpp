@@ -5,6 +5,14 @@
 #include "delos/scene/followers.h"
 
 namespace delos::session {
+namespace {
+
+bool same_surroundings(const Scene& a, const Scene& b) {
+  return a.occluders == b.occluders && a.clutter == b.clutter &&
+         a.regions == b.regions && a.beacons == b.beacons && a.surfaces == b.surfaces;
+}
+
+}  // namespace
 
 Design::Design(std::filesystem::path file, LoadedScene loaded)
     : file_(std::move(file)), loaded_(std::move(loaded)) {}
@@ -56,6 +64,7 @@ bool Design::take(const History& history, PluginRegistry& plugins,
                  plugins, findings, {}, &loaded_.system)
           : with(history.changes(), plugins, findings);
   if (!loaded) return false;
+  if (!same_surroundings(loaded_.scene, loaded->scene)) ++surroundings_;
   loaded_ = std::move(*loaded);
   history_ = history;
   if (history_.settled().size() > kMostSettled) settle(plugins);

@@ -39,6 +39,8 @@ class Design {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] const LoadedScene& loaded() const { return loaded_; }
   [[nodiscard]] const History& history() const { return history_; }
+  /// Grows whenever what stands around the devices is another: surroundings().
+  [[nodiscard]] std::size_t surroundings() const { return surroundings_; }
   /// The scene as text that reads the same in any folder of this machine.
   [[nodiscard]] std::string text() const;
 
@@ -64,6 +66,7 @@ class Design {
   std::optional<std::string> text_;
   LoadedScene loaded_;
   History history_;
+  std::size_t surroundings_ = 0;
   std::optional<Checkpoint> checkpoint_;
 };
 

@@ -34,6 +34,28 @@ double roll_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
   return std::atan2(to.col(0).dot(from.col(1)), to.col(0).dot(from.col(0)));
 }
 
+/// Whether devices of a plugin are there to be carried below beacons: in the world,
+/// where they could stand, they would wait for the target to come by.
+bool looks_at_beacons(const std::string& type) { return type == "hiball"; }
+
+/// Beacons on a ceiling that is at least a hand's reach above the samples, and so much
+/// wider than they are that slanted views meet it, too.
+Override ceiling_over(const Eigen::AlignedBox3d& samples,
+                      const Eigen::AlignedBox3d& room) {
+  constexpr double kReach = 0.8, kStep = 0.1, kMostAlong = 60;
+  const double z = std::max(room.max().z(), samples.max().z() + kReach);
+  const double margin = z - samples.min().z();
+  Eigen::Vector3d low = samples.min(), high = samples.max();
+  low.head<2>().array() -= margin;
+  high.head<2>().array() += margin;
+  low.z() = high.z() = z;
+  const double widest = (high - low).maxCoeff();
+  const double step = std::max(kStep, std::ceil(10 * widest / kMostAlong) / 10);
+  return {"beacons.ceiling",
+          "{grid: {min: " + vector_text(low) + ", max: " + vector_text(high) +
+              ", step: " + shortest(step) + "}, normal: [0, 0, -1], pattern: full}"};
+}
+
 /// Copies of a device that stands in the world, each where it is put.
 /// @param put the pose of the k-th, from that of the first
 template <class Put>
@@ -110,10 +132,17 @@ Ways adding(const LoadedScene& loaded, const std::string& type,
   const std::string head = "{name: " + free_name(scene, type) + ", type: " + type +
                            ", rate: " + shortest(rate) + ", params: " + params;
   const bool apart = (place - middle).norm() > 1e-6;
-  return std::vector<Override>{
-      {"devices.+", head + ", at: " + vector_text(place) +
-                        (apart ? ", aim: " + vector_text(middle) : "") + "}"},
-      {"devices.+", head + ", mount: target}"}};
+  const Override standing{"devices.+",
+                          head + ", at: " + vector_text(place) +
+                              (apart ? ", aim: " + vector_text(middle) : "") + "}"};
+  const Override carried{"devices.+", head + ", mount: target}"};
+  if (looks_at_beacons(type) && !scene.beacons.empty())
+    return std::vector<std::vector<Override>>{{carried}};
+  if (looks_at_beacons(type))
+    return std::vector<std::vector<Override>>{{ceiling_over(samples, room), carried}};
+  std::vector<std::vector<Override>> ways{{standing}, {carried}};
+  if (scene.beacons.empty()) ways.push_back({ceiling_over(samples, room), carried});
+  return ways;
 }
 
 Ways copying(const LoadedScene& loaded, const std::string& device,
@@ -129,7 +158,7 @@ Ways copying(const LoadedScene& loaded, const std::string& device,
     // It goes on looking the same way.
     if (auto* aim = std::get_if<Aim>(&copy.placement.facing)) aim->at += step;
   }
-  return std::vector<Override>{device_override(copy)};
+  return std::vector<std::vector<Override>>{{device_override(copy)}};
 }
 
 // A mirror M = I − 2 e eᵀ turns right-handed frames into left-handed ones; mirrored
@@ -151,7 +180,7 @@ Ways mirroring(const LoadedScene& loaded, const std::string& device, int axis) {
   copy.mounting.reset();
   const Pose X_GS = group_frame(scene, copy.group).inverse() * X_WS;
   copy.placement = placed_like(like->placement, X_GS);
-  return std::vector<Override>{device_override(copy)};
+  return std::vector<std::vector<Override>>{{device_override(copy)}};
 }
 
 Together in_a_row(const LoadedScene& loaded, const std::string& device, int copies,
@@ -175,7 +204,7 @@ Ways removing(const LoadedScene& loaded, const std::string& device) {
   if (!device_of(loaded.scene, device)) return there_is_no(device);
   if (loaded.scene.devices.size() == 1)
     return device + " is the only device: without it nothing is measured";
-  return std::vector<Override>{{"devices.-", device}};
+  return std::vector<std::vector<Override>>{{{"devices.-", device}}};
 }
 
 }  // namespace delos::session

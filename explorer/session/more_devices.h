@@ -12,13 +12,14 @@
 
 namespace delos::session {
 
-/// A change by several ways, of which the first counts that leaves the scene in order;
-/// or a sentence that says why there is none.
-using Ways = std::variant<std::vector<Override>, std::string>;
+/// Changes that are made together, by several ways, of which the first counts that
+/// leaves the scene in order; or a sentence that says why there is none.
+using Ways = std::variant<std::vector<std::vector<Override>>, std::string>;
 
 /// Another device of a plugin, with its first parameters or those of a preset. It looks
 /// at the middle of the samples, and reports as often as the scene's first device. What
-/// can't stand in the world is carried by the target.
+/// can't stand in the world is carried by the target; what looks at beacons where there
+/// are none gets a ceiling of them.
 /// @param preset empty: none
 /// @param at where, world, metres; nullopt: above the middle of the samples, as high as
 ///        the room

@@ -15,9 +15,9 @@ namespace {
 using WrittenKey = std::pair<std::string, std::string>;
 
 /// What write_scene() writes: a key begins where a line isn't indented.
-std::vector<WrittenKey> keys_of(const Scene& scene) {
+std::vector<WrittenKey> keys_of(const std::string& text) {
   std::vector<WrittenKey> sections;
-  std::istringstream lines(write_scene(scene));
+  std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t colon = line.find(':');
     if (line.empty() || line[0] == ' ' || line[0] == '-' || colon == std::string::npos)
@@ -35,6 +35,21 @@ const std::string* find_key(const std::vector<WrittenKey>& sections,
   return found == sections.end() ? nullptr : &found->second;
 }
 
+/// Orientations may stand in `sample` or beside it: where one of the two is set, both
+/// are, so that they stand in one place.
+void keep_orientations(const std::vector<WrittenKey>& after,
+                       std::vector<Override>& changes) {
+  const auto is_set = [&](const std::string& key) {
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const Override& change) { return change.path == key; });
+  };
+  const bool sample = is_set("sample"), orientations = is_set("orientations");
+  if (sample == orientations) return;
+  const char* other = sample ? "orientations" : "sample";
+  if (const std::string* text = find_key(after, other))
+    changes.insert(changes.begin(), {other, *text});
+}
+
 double& number_at(Scene& scene, const std::string& path, PluginRegistry& plugins) {
   const auto found = find_number(scene, path, plugins);
   if (const auto* why = std::get_if<std::string>(&found))
@@ -45,6 +60,11 @@ double& number_at(Scene& scene, const std::string& path, PluginRegistry& plugins
 }  // namespace
 
 std::vector<Override> changes_between(const Scene& from, const Scene& to) {
+  return changes_between_texts(write_scene(from), write_scene(to));
+}
+
+std::vector<Override> changes_between_texts(const std::string& from,
+                                            const std::string& to) {
   const std::vector<WrittenKey> before = keys_of(from), after = keys_of(to);
   std::vector<Override> changes;
   for (const auto& [key, text] : before)
@@ -53,6 +73,7 @@ std::vector<Override> changes_between(const Scene& from, const Scene& to) {
     const std::string* old = find_key(before, key);
     if (!old || *old != text) changes.push_back({key, text});
   }
+  keep_orientations(after, changes);
   return changes;
 }
 

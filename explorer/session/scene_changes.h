@@ -15,6 +15,10 @@ namespace delos::session {
 /// another whose relative paths start in the same folder.
 [[nodiscard]] std::vector<Override> changes_between(const Scene& from, const Scene& to);
 
+/// The same of scenes as write_scene() writes them.
+[[nodiscard]] std::vector<Override> changes_between_texts(const std::string& from,
+                                                          const std::string& to);
+
 /// Values of variables, SI.
 struct VariableValues {
   std::vector<std::string> paths;

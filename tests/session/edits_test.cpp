@@ -44,8 +44,8 @@ class Hand {
 
  private:
   static std::vector<Override> first_of(const Ways& ways) {
-    const auto* list = std::get_if<std::vector<Override>>(&ways);
-    return list ? std::vector<Override>{list->front()} : std::vector<Override>{};
+    const auto* list = std::get_if<0>(&ways);
+    return list ? list->front() : std::vector<Override>{};
   }
   double number(double least, double most) {
     return std::uniform_real_distribution<double>(least, most)(random_);

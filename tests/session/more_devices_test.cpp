@@ -8,15 +8,16 @@
 #include "designs.h"
 #include "session/description.h"
 #include "session/palette.h"
+#include "session/point_answer.h"
 
 namespace delos::session {
 namespace {
 
 /// Take the first way, which must do.
 void take(Design& design, const Ways& ways) {
-  const auto* all = std::get_if<std::vector<Override>>(&ways);
+  const auto* all = std::get_if<0>(&ways);
   ASSERT_TRUE(all) << std::get<std::string>(ways);
-  change(design, {all->front()});
+  change(design, all->front());
 }
 
 const DeviceEntry& last(const Design& design) {
@@ -61,10 +62,35 @@ TEST(MoreDevices, AreAllInThePalette) {
 /// What moves with the target is carried by it: the second way.
 TEST(MoreDevices, AreCarriedWhereTheyMustBe) {
   Design design = design_of("05-optitrack-lab");
-  const auto ways = std::get<std::vector<Override>>(
+  const auto ways = std::get<0>(
       adding(design.loaded(), "accelerometer", "", std::nullopt, plugins()));
-  ASSERT_EQ(ways.size(), 2u);
-  EXPECT_NE(ways[1].value.find("mount: target"), std::string::npos);
+  ASSERT_GE(ways.size(), 2u);
+  EXPECT_NE(ways[1].front().value.find("mount: target"), std::string::npos);
+}
+
+/// A HiBall in a room without beacons gets a ceiling of them, as one step, and sees it
+/// from the middle of the samples.
+TEST(MoreDevices, GetACeilingOfBeacons) {
+  Design design = design_of("05-optitrack-lab");
+  const auto ways =
+      std::get<0>(adding(design.loaded(), "hiball", "", std::nullopt, plugins()));
+  change(design, ways.front());
+  EXPECT_EQ(design.history().undoable(), 1u);
+  ASSERT_EQ(design.loaded().scene.beacons.size(), 1u);
+  const Eigen::AlignedBox3d samples = sample_box(design.loaded().scene);
+  const auto& grid = std::get<BeaconGrid>(design.loaded().scene.beacons[0].layout);
+  EXPECT_GT(grid.box.min.z(), samples.max().z());
+  const PointAnswer answer = answer_point(design.loaded(), samples.center(),
+                                          Eigen::Vector3d::Zero(), Solver::automatic);
+  const Json devices = point_json(answer, design.loaded())["devices"];
+  EXPECT_EQ(devices.back()["type"], "hiball");
+  EXPECT_TRUE(devices.back()["visible"]);
+  design.undo(plugins());
+  EXPECT_TRUE(design.loaded().scene.beacons.empty());
+  // Where there are beacons there is no need of more.
+  const auto below = std::get<0>(adding(design_of("hiball/six-lepd").loaded(), "hiball",
+                                        "", std::nullopt, plugins()));
+  EXPECT_EQ(below.front().size(), 1u);
 }
 
 /// Speakers of scene 01 stand in the corners of a square about the samples' middle: the

@@ -3,7 +3,7 @@ import { Answers } from './answers';
 import { listenForKeys } from './commands';
 import { wordsOf } from './field';
 import { newGesture } from './gesture';
-import { TypedMove } from './hand';
+import { Holding } from './holding';
 import { commandsOf } from './keys';
 import { Layout } from './layout';
 import { nothingShown, Picture } from './picture';
@@ -11,6 +11,7 @@ import { listenForClicks } from './mouse';
 import { download } from './saving';
 import { listScenes, Session, type Around, type Description, type Palette, type Vec3 } from './server';
 import { applyTheme, currentTheme, type Theme } from './theme';
+import { Rooming, sheetActions } from './rooming';
 import { searchActions, Searching } from './searching';
 import { ViewCube } from './view/viewcube';
 import type { ViewName } from './view/eye';
@@ -26,14 +27,14 @@ export class App {
   private readonly picture: Picture;
   private readonly work: Work;
   private readonly answers: Answers;
-  private readonly typed: TypedMove;
+  private readonly holding: Holding;
   private readonly searching: Searching;
+  private readonly rooming: Rooming;
   private readonly viewing = firstViewing();
   private readonly shown = nothingShown();
   private theme: Theme = currentTheme();
   private colours = applyTheme(this.theme);
   private session: Session | null = null;
-  private snapping = false;
   private waiting = 0;
   /** A device that was just made, to be chosen. */
   private awaited: Set<string> | null = null;
@@ -45,7 +46,7 @@ export class App {
       look: (from: ViewName) => this.look(from),
       lookThrough: () => this.lookThrough(),
       orthographic: () => this.picture.stage.setOrthographic(!this.picture.stage.eye.orthographic),
-      move: (mode: 'translate' | 'rotate') => this.move(mode),
+      move: (mode: 'translate' | 'rotate') => this.holding.move(mode),
       letGo: () => this.letGo(),
       next: (step: number) => this.chooseNext(step),
       add: () => void this.askPalette(),
@@ -59,8 +60,15 @@ export class App {
       save: () => void this.save(),
       open: () => void this.chooseScene(),
       theme: () => this.toggleTheme(),
-      snap: () => this.snap(),
-      search: () => this.searching.toggle(this.shown.selected),
+      snap: () => this.holding.snap(),
+      turnToFaces: () => this.holding.turnToFaces(),
+      room: () => this.rooming.toggle(),
+      paint: () => this.rooming.paint(this.layout.room.chosen, this.viewing, this.colours.selected),
+      nextBody: (step: number) => this.rooming.next(step),
+      search: () => {
+        this.searching.toggle(this.shown.selected);
+        this.rooming.describe();
+      },
       beginSearch: () => this.searching.begin(),
       pauseSearch: () => this.searching.pauseOrResume(),
       keepSearch: () => this.layout.search.keep(),
@@ -71,9 +79,11 @@ export class App {
       help: () => this.layout.help.showModal(),
       hasScene: () => this.session !== null,
       hasDevice: () => this.shown.selected !== null,
+      hasBody: () => this.shown.body !== null,
       hasPin: () => this.shown.description?.pinned != null,
     };
     const commands = commandsOf(doings);
+    const sheet = sheetActions(() => this.rooming, (place, verb, body) => this.work.change(place, verb, body));
     this.layout = new Layout(
       root,
       this.viewing,
@@ -83,31 +93,27 @@ export class App {
         chooseScene: doings.open,
         select: (name) => this.select(name),
         change: (set, gesture) => this.work.change(set.map((s) => s.path).join(), 'change', { set, gesture }),
-        place: (change, gesture) => this.place(change, gesture),
+        place: (change, gesture) => this.holding.place(change, gesture),
         toggleTheme: doings.theme,
         ask: (at) => this.ask(at),
         clear: () => this.ask(null),
-        gizmo: (mode) => this.move(mode),
+        gizmo: doings.move,
         askPalette: doings.add,
         makeArray: (array) => this.make('array', { device: this.shown.selected, ...array }),
         add: (type, preset) => this.make('add', { type, preset, ...(this.shown.asked ? { at: this.shown.asked } : {}) }),
         set: (setting) => this.work.change(setting.path, 'change', { set: [setting], gesture: '' }),
-        searching: searchActions(() => this.searching),
+        searching: searchActions(() => this.searching, sheet),
+        rooming: { ...sheet, paint: doings.paint, close: doings.room },
       },
       commands,
     );
     this.picture = new Picture(
       this.layout.viewport,
       this.viewing,
-      (change, gesture) => this.place(change, gesture),
+      (change, gesture) => this.holding.drag(change, gesture),
       () => this.described(),
     );
     this.picture.stage.background(this.colours.background);
-    this.typed = new TypedMove({
-      place: (change, gesture) => this.place(change, gesture),
-      back: () => this.step('undo'),
-      say: (text) => this.layout.handSays(text),
-    });
     this.answers = new Answers(this.shown, this.viewing, {
       drawn: () => {
         this.described(false);
@@ -130,13 +136,27 @@ export class App {
       change: (place, verb, body) => this.work.change(place, verb, body),
       failed: (error) => this.failed(error),
     });
+    this.rooming = new Rooming(this.layout.room, this.layout.search, this.picture, this.shown, {
+      change: (place, verb, body) => this.work.change(place, verb, body),
+      failed: (error) => this.failed(error),
+      say: (text) => this.layout.handSays(text),
+      chosen: () => {
+        this.drawRoom();
+        this.described();
+      },
+    });
+    this.holding = new Holding(this.layout, this.picture, this.shown, this.rooming, {
+      change: (place, verb, body) => this.work.change(place, verb, body),
+      undo: () => this.step('undo'),
+    });
     listenForClicks(this.picture, {
-      pressed: () => this.typed.end(),
+      pressed: () => this.holding.end(),
       device: (name) => this.select(name),
+      body: (path) => this.rooming.choose(path),
       place: (at) => this.ask(at),
     });
     this.layout.overPicture(new ViewCube(this.picture.stage, doings.look, doings.orthographic).element);
-    listenForKeys(commands, (event) => this.picture.gizmo.take(event, () => this.step('undo')) || this.typed.take(event));
+    listenForKeys(commands, (event) => this.holding.take(event));
   }
 
   async start(): Promise<void> {
@@ -181,6 +201,7 @@ export class App {
     this.ask(null);
     Object.assign(this.viewing, { slices: [false, false, true], at: middle(description.box), slants: [], relief: false, cells: false, through: firstViewing().through, surface: false, body: 'none', compare: 'design', sensitivity: '', low: null, high: null });
     this.shown.around = await session.ask<Around>('around');
+    this.rooming.open(session);
     this.drawRoom();
     this.picture.stage.look('corner', description.room);
     this.described();
@@ -191,9 +212,13 @@ export class App {
   private async change(verb: string, body: object): Promise<void> {
     const { session } = this;
     const description = await session!.ask<Description>(verb, body);
+    const moved = description.surroundings !== this.shown.description!.surroundings;
+    const around = moved ? await session!.ask<Around>('around') : this.shown.around;
     if (session !== this.session) return;
     this.layout.devices.stale();
+    this.shown.around = around;
     this.take(description);
+    if (moved) this.drawRoom();
   }
 
   /** A description that the server gave after a change. */
@@ -218,9 +243,10 @@ export class App {
     if (!shown.description) return;
     this.layout.describe(shown.description, shown.selected);
     this.searching.describe(shown.description, shown.selected);
+    this.rooming.describe();
     picture.drawDevices(shown, this.colours);
     if (picture.stage.eye.asDevice) this.lookThrough();
-    this.layout.gizmoMode(picture.gizmo.mode, picture.hasIcon(shown.selected));
+    this.layout.gizmoMode(picture.gizmo.mode, this.holding.held);
     if (draw) picture.stage.draw();
   }
 
@@ -256,8 +282,9 @@ export class App {
   }
 
   private select(name: string | null): void {
-    this.typed.end();
+    this.holding.end();
     this.shown.selected = name;
+    if (name) this.rooming.choose(null);
     this.described();
   }
 
@@ -270,6 +297,7 @@ export class App {
   private letGo(): void {
     if (this.picture.stage.eye.asDevice) this.look('corner');
     else if (this.shown.selected) this.select(null);
+    else if (this.shown.body) this.rooming.choose(null);
     else this.ask(null);
   }
 
@@ -323,24 +351,6 @@ export class App {
   /** A step along x that is seen. */
   private besideIt(): Vec3 {
     return [this.picture.stepBeside(this.shown), 0, 0];
-  }
-
-  private place(change: { p?: number[]; q?: number[] }, gesture: string): void {
-    const device = this.shown.selected;
-    if (device) this.work.change(`place ${device}`, 'place', { device, gesture, ...change });
-  }
-
-  private move(mode: 'translate' | 'rotate'): void {
-    const { picture, shown } = this;
-    picture.gizmo.use(mode);
-    this.layout.gizmoMode(mode, picture.hasIcon(shown.selected));
-    this.typed.begin(mode, shown.description!.devices.find((d) => d.name === shown.selected) ?? null);
-  }
-
-  private snap(): void {
-    this.snapping = !this.snapping;
-    this.picture.gizmo.snap(this.snapping);
-    this.layout.snapping(this.snapping);
   }
 
   private toggleTheme(): void {

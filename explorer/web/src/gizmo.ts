@@ -5,11 +5,20 @@ import { Handles } from './view/handles';
 import type { Stage } from './view/stage';
 
 /** @param p world, metres; @param q unit quaternion (w, x, y, z), device to world */
-export type Place = (change: { p?: number[]; q?: number[] }, gesture: string) => void;
+export type Place = (change: { p?: number[]; q?: number[]; size?: number[]; ray?: Ray }, gesture: string) => void;
+
+/** From the eye through the pointer, where nothing keeps a movement to an axis. */
+export interface Ray {
+  from: number[];
+  along: number[];
+}
 
 export class Gizmo {
   private readonly controls: Handles;
   private gesture = '';
+  /** Of the box that is held, where it is one. */
+  private size: number[] | null = null;
+  private pointer: PointerEvent | null = null;
 
   /** @param home what the handles are drawn with */
   constructor(
@@ -30,14 +39,22 @@ export class Gizmo {
       this.gesture = value ? newGesture() : '';
       if (!value) ended();
     });
+    stage.canvas.addEventListener('pointermove', (event) => (this.pointer = event), true);
     this.controls.addEventListener('objectChange', () => {
       const { object, mode } = this.controls;
-      if (mode === 'translate') place({ p: rounded(object.position) }, this.gesture);
+      if (mode === 'translate') place({ p: rounded(object.position), ...this.ray() }, this.gesture);
+      else if (mode === 'scale') place({ size: this.size!.map((s, k) => Number(Math.abs(s * object.scale.getComponent(k)).toFixed(4))) }, this.gesture);
       else {
         const { w, x, y, z } = object.quaternion;
         place({ q: [w, x, y, z] }, this.gesture);
       }
     });
+  }
+
+  private ray(): { ray?: Ray } {
+    if (this.controls.axis !== 'XYZ' || !this.pointer) return {};
+    const { origin, direction } = this.stage.ray(this.pointer).ray;
+    return { ray: { from: origin.toArray(), along: direction.toArray() } };
   }
 
   /** Steps of 5 cm and 5°. */
@@ -69,10 +86,15 @@ export class Gizmo {
     return this.controls.axis !== null;
   }
   get mode(): 'translate' | 'rotate' {
-    return this.controls.mode === 'rotate' ? 'rotate' : 'translate';
+    return this.controls.mode === 'translate' ? 'translate' : 'rotate';
   }
 
-  hold(object: Object3D | null): void {
+  /** @param size of a box, which is sized instead of turned; undefined: it is turned */
+  hold(object: Object3D | null, size?: number[] | null): void {
+    this.size = size ?? null;
+    const turning = size === undefined ? 'rotate' : size ? 'scale' : 'translate';
+    this.controls.setMode(this.mode === 'translate' ? 'translate' : turning);
+    this.controls.setSpace(this.mode === 'translate' ? 'world' : 'local');
     this.controls.camera = this.stage.camera;
     this.controls.viewport = this.stage.designPart;
     if (object) this.controls.attach(object);
@@ -81,7 +103,7 @@ export class Gizmo {
 
   /** Along which axes: the world's, or, turning, the device's own. */
   use(mode: 'translate' | 'rotate'): void {
-    this.controls.setMode(mode);
+    this.controls.setMode(mode === 'rotate' && this.size ? 'scale' : mode);
     this.controls.setSpace(mode === 'translate' ? 'world' : 'local');
     this.stage.draw();
   }

@@ -5,6 +5,9 @@ import type { Place } from './gizmo';
 import { anglesOf, quaternionOf } from './rotation';
 import type { Device } from './server';
 
+/** What is held: something that stands in the world. */
+export type Held = Pick<Device, 'pose'>;
+
 export interface Hand {
   place: Place;
   /** Take back what this movement has done. */
@@ -17,7 +20,7 @@ const axes = ['x', 'y', 'z'];
 
 export class TypedMove {
   private mode: 'translate' | 'rotate' | null = null;
-  private device: Device | null = null;
+  private device: Held | null = null;
   private axis = 0;
   private constrained = false;
   private local = false;
@@ -28,7 +31,7 @@ export class TypedMove {
   constructor(private readonly hand: Hand) {}
 
   /** Begin where a device stands now. */
-  begin(mode: 'translate' | 'rotate', device: Device | null): void {
+  begin(mode: 'translate' | 'rotate', device: Held | null): void {
     this.end();
     if (!device?.pose) return;
     [this.mode, this.device, this.text, this.changed] = [mode, device, '', false];
@@ -93,7 +96,7 @@ export class TypedMove {
   }
 }
 
-function orientationOf(device: Device): Quaternion {
+function orientationOf(device: Held): Quaternion {
   const [w, x, y, z] = quaternionOf(anglesOf(device.pose!.R)) as [number, number, number, number];
   return new Quaternion(x, y, z, w);
 }

@@ -26,6 +26,10 @@ export interface Doings {
   open: () => void;
   theme: () => void;
   snap: () => void;
+  turnToFaces: () => void;
+  room: () => void;
+  paint: () => void;
+  nextBody: (step: number) => void;
   search: () => void;
   beginSearch: () => void;
   pauseSearch: () => void;
@@ -37,6 +41,7 @@ export interface Doings {
   help: () => void;
   hasScene: () => boolean;
   hasDevice: () => boolean;
+  hasBody: () => boolean;
   hasPin: () => boolean;
 }
 
@@ -69,6 +74,7 @@ export function commandsOf(doings: Doings): Command[] {
   const toggle = (name: string, key: string, what: 'surface' | 'lattice' | 'blind' | 'logarithmic' | 'frusta' | 'names' | 'reversed' | 'relief' | 'cells') =>
     show(name, key ? [key] : [], () => (viewing[what] = !viewing[what]));
   const device = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: hasDevice });
+  const held = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: () => hasDevice() || doings.hasBody() });
   const scene = (name: string, keys: string[], run: () => void): Command => ({ name, keys, run, ready: hasScene });
   const level = (by: number) => () => (viewing.level = Math.min(1, Math.max(0, viewing.level + by)));
   return [
@@ -86,10 +92,15 @@ export function commandsOf(doings: Doings): Command[] {
     device('Mirror the chosen device across x', ['m'], () => doings.mirror('x')),
     device('Mirror the chosen device across y', ['shift+m'], () => doings.mirror('y')),
     device('Remove the chosen device', ['delete'], doings.remove),
-    device('Move the chosen device', ['g'], () => doings.move('translate')),
-    device('Turn the chosen device', ['r'], () => doings.move('rotate')),
+    held('Move the chosen device or body', ['g'], () => doings.move('translate')),
+    held('Turn the chosen device, size the chosen box', ['r'], () => doings.move('rotate')),
     device('Look through the chosen device', ['0'], doings.lookThrough),
-    scene('Snap to 5 cm and 5 degrees', ['n'], doings.snap),
+    scene('Snap to 5 cm, 5 degrees and faces', ['n'], doings.snap),
+    scene('Turn a device to the face that it snaps to, or not', ['t'], doings.turnToFaces),
+    scene('The room: open, close', ['w'], doings.room),
+    scene('Draw a box on the slice or the floor', ['shift+b'], doings.paint),
+    scene('Choose the next body or region', ['shift+j'], () => doings.nextBody(1)),
+    scene('Choose the body or region before', [], () => doings.nextBody(-1)),
     ...views.map(([from, key, name]) => scene(name, [key], () => doings.look(from))),
     scene('Without perspective, or with', ['5'], doings.orthographic),
     ...['x', 'y', 'z'].map((axis, k) => scene(`Slice across ${axis}`, [axis], () => doings.slice(k))),

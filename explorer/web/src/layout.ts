@@ -12,6 +12,7 @@ import { CommandPalette } from './panels/commandpalette';
 import { ComparePanel } from './panels/compare';
 import { Inspector, type Change } from './panels/inspector';
 import { Report } from './panels/report';
+import { RoomPanel, type RoomActions } from './panels/room';
 import { SearchPanel, type SearchActions } from './panels/search';
 import { Start } from './panels/start';
 import { ViewingPanel } from './panels/viewing';
@@ -49,6 +50,8 @@ export interface Actions {
   snap: () => void;
   search: () => void;
   searching: SearchActions;
+  room: () => void;
+  rooming: RoomActions;
 }
 
 /** The words of a scene's `fusion`. */
@@ -69,6 +72,7 @@ export class Layout {
   readonly array: ArrayOfDevices;
   readonly palette: CommandPalette;
   readonly search: SearchPanel;
+  readonly room: RoomPanel;
   readonly help: HTMLDialogElement;
   private readonly inspector: Inspector;
   private readonly compare: ComparePanel;
@@ -101,6 +105,7 @@ export class Layout {
     this.palette = new CommandPalette(commands, actions.set);
     this.compare = new ComparePanel(viewing, actions.viewed, actions.pin);
     this.search = new SearchPanel(actions.searching);
+    this.room = new RoomPanel(actions.rooming);
     this.report = new Report(actions.ask, actions.clear);
     this.viewingPanel = new ViewingPanel(viewing, actions.viewed);
     this.scene = h('button', { type: 'button', className: 'scene', id: 'scene', title: 'Open another scene', onclick: actions.chooseScene }, 'Open a scene');
@@ -135,7 +140,7 @@ export class Layout {
         ...mouse.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)]),
       ),
     );
-    this.snap = h('button', { type: 'button', className: 'word', title: 'Snap to 5 cm and 5° (N)', 'aria-pressed': 'false', onclick: actions.snap }, 'snap');
+    this.snap = h('button', { type: 'button', className: 'word', title: 'Snap to 5 cm, 5° and faces (N); turned to them (T)', 'aria-pressed': 'false', onclick: actions.snap }, 'snap');
     this.tools = h(
       'div',
       { className: 'tools', role: 'toolbar', 'aria-label': 'View' },
@@ -159,6 +164,7 @@ export class Layout {
       h('span', { className: 'space' }),
       this.undo,
       this.redo,
+      h('button', { type: 'button', className: 'word', id: 'room-open', title: 'What the room is made of (W)', onclick: actions.room }, 'Room'),
       h('button', { type: 'button', className: 'word', id: 'search-open', title: 'Search for a better design (S)', 'aria-pressed': 'false', onclick: actions.search }, 'Search'),
       iconButton('save', 'Save as a scene file', actions.save),
       iconButton('theme', 'Dark or light', actions.toggleTheme),
@@ -189,6 +195,7 @@ export class Layout {
         'aside',
         { 'aria-label': 'Chosen device and point' },
         h('section', { className: 'panel grow' }, this.inspector.element),
+        this.room.element,
         this.report.element,
       ),
     );
@@ -270,7 +277,8 @@ export class Layout {
     this.hand.textContent = text;
   }
 
-  snapping(on: boolean): void {
+  snapping(on: boolean, turning: boolean): void {
+    this.snap.textContent = turning ? 'snap, turned' : 'snap';
     this.snap.setAttribute('aria-pressed', String(on));
   }
 }

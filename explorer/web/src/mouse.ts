@@ -6,6 +6,7 @@ export interface Clicks {
   /** Before anything else of a press. */
   pressed: () => void;
   device: (name: string | null) => void;
+  body: (path: string) => void;
   place: (at: Vec3) => void;
 }
 
@@ -23,6 +24,7 @@ export function listenForClicks(picture: Picture, clicks: Clicks): void {
     const met = still && picture.pick(stage.ray(event));
     if (!met) return;
     if ('device' in met) clicks.device(met.device);
+    else if ('body' in met) clicks.body(met.body);
     else clicks.place(met.at);
   });
 }

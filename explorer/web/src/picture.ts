@@ -1,9 +1,10 @@
 // The picture: what is drawn of a design, and of the one that it is compared with.
-import { Group, type Raycaster } from 'three';
+import { Group, Matrix4, Object3D, Vector3, type Raycaster } from 'three';
 import { Gizmo, type Place } from './gizmo';
 import type { Field } from './field';
+import type { Held } from './hand';
 import { Scale } from './scale';
-import type { Around, BlindRegions, Box, Description, Device, Lattice, PointReport, Vec3 } from './server';
+import type { Around, BlindRegions, Box, Description, Device, Lattice, PointReport, Solid, Vec3 } from './server';
 import { nothingAsked, type FieldKind, type ShapeAsked, type Shapes, type ShapesAsked } from './shapes';
 import type { Drawing } from './theme';
 import { blindBoxes } from './view/blindboxes';
@@ -38,13 +39,15 @@ export interface Shown {
   lattice: Lattice | null;
   blind: BlindRegions | null;
   selected: string | null;
+  /** The body or region that is chosen, by its path. */
+  body: string | null;
   asked: Vec3 | null;
   report: PointReport | null;
 }
 
 export const nothingShown = (): Shown => ({
   description: null,
-  around: { occluders: [], beacons: [] },
+  around: { occluders: [], regions: [], surfaces: [], beacons: [] },
   field: null,
   slopes: null,
   difference: null,
@@ -55,6 +58,7 @@ export const nothingShown = (): Shown => ({
   lattice: null,
   blind: null,
   selected: null,
+  body: null,
   asked: null,
   report: null,
 });
@@ -81,6 +85,10 @@ export class Picture {
   private readonly probe = new Probe();
   private readonly baselineView = new FieldView();
   private readonly baselineIcons = new Icons();
+  /** What the gizmo holds instead of a body, in its middle. */
+  private readonly handle = new Object3D();
+  /** Whether a dragged device keeps to faces. */
+  sticking = false;
   /** By how much ellipsoids are enlarged: that of the point. */
   enlarged = 0;
   /** That of the lattice's. */
@@ -103,10 +111,21 @@ export class Picture {
   }
 
   /** Metres between the lines of the floor. */
-  drawRoom({ description, around }: Shown, colours: Drawing): number {
+  drawRoom({ description, around, body }: Shown, colours: Drawing): number {
     const { box, room } = description!;
-    this.room.show(box, room, around, colours);
+    this.room.show(box, room, around, body, colours);
     return this.room.step;
+  }
+
+  /** The body that is chosen, in the hand. */
+  private holdBody({ around, body }: Shown): boolean {
+    const solid = [...around.occluders, ...around.regions].find((b) => b.path === body);
+    if (!body || !solid) return false;
+    if (this.gizmo.dragging) return true;
+    this.design.add(this.handle);
+    placeHandle(this.handle, solid);
+    this.gizmo.hold(this.handle, solid.size);
+    return true;
   }
 
   /** Whether the halves show two designs. */
@@ -114,14 +133,27 @@ export class Picture {
     return this.viewing.compare === 'beside' && pinned !== null;
   }
 
+  /** Where the body that is held stands. */
+  get heldBody(): Held {
+    const { x, y, z } = this.handle.position;
+    const [X, Y, Z] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(new Matrix4().makeRotationFromQuaternion(this.handle.quaternion), k)) as [Vector3, Vector3, Vector3];
+    const row = (k: 'x' | 'y' | 'z'): Vec3 => [X[k], Y[k], Z[k]];
+    return { pose: { p: [x, y, z], R: [row('x'), row('y'), row('z')] } };
+  }
+
   drawDevices(shown: Shown, colours: Drawing): void {
     const { description, selected, pinned } = shown;
     if (!description) return;
-    if (this.gizmo.dragging) return this.icons.move(description, selected);
+    if (this.gizmo.dragging) {
+      // What sticks to a face stands where the server says.
+      this.icons.move(description, this.sticking ? null : selected);
+      return;
+    }
     const { frusta, names: labels } = this.viewing;
     this.icons.show(description, { selected, frusta, labels }, colours);
     if (pinned) this.baselineIcons.show(pinned.description, { selected: null, frusta, labels: false }, colours);
     const device = description.devices.find((d) => d.name === selected);
+    if (this.holdBody(shown)) return;
     this.gizmo.hold(!this.place || device?.surface || this.stage.eye.asDevice ? null : this.icons.find(selected));
   }
 
@@ -229,13 +261,15 @@ export class Picture {
   }
 
   /** The device, or the place of the field, that a ray meets. */
-  pick(ray: Raycaster): { device: string | null } | { at: Vec3 } | null {
+  pick(ray: Raycaster): { device: string | null } | { body: string } | { at: Vec3 } | null {
     const hit = ray
       .intersectObject(this.icons.group, true)
       .find(({ object }) => 'isMesh' in object && !seeThrough(object));
     if (hit) return { device: this.icons.nameOf(hit.object) };
     const at = this.fieldView.pick(ray);
-    return at && { at };
+    const body = this.room.pick(ray);
+    const nearer = body && (!at || body.distance < ray.ray.origin.distanceTo(new Vector3(...at)));
+    return nearer ? { body: body.path } : at && { at };
   }
 
   /** A distance that is seen: some sizes of an icon, rounded. */
@@ -253,6 +287,15 @@ export class Picture {
     for (const icons of [this.icons, this.baselineIcons]) icons.hide(device.name);
     this.stage.lookThrough(device);
   }
+}
+
+/** In the middle of a body's bounds, turned as it is. */
+function placeHandle(handle: Object3D, { vertices, R }: Solid): void {
+  const ends = (k: number) => vertices.filter((_, i) => i % 3 === k).reduce(([low, high], x) => [Math.min(low!, x), Math.max(high!, x)], [Infinity, -Infinity]);
+  handle.position.set(...([0, 1, 2].map((k) => (ends(k)[0]! + ends(k)[1]!) / 2) as Vec3));
+  const [x, y, z] = R;
+  handle.quaternion.setFromRotationMatrix(new Matrix4().set(...x, 0, ...y, 0, ...z, 0, 0, 0, 0, 1));
+  handle.scale.set(1, 1, 1);
 }
 
 /** A frustum is no thing to click on. */

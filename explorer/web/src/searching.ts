@@ -13,6 +13,12 @@ export interface Task {
   selection: 'count' | 'budget' | 'cover' | null;
 }
 
+/** term_values() of the server: a row of values a design. */
+export interface TermValues {
+  terms: { name: string; unit: string }[];
+  values: (number | null)[][];
+}
+
 export interface SearchSteps {
   /** Send a change of the design; of those that wait for one place the newest counts. */
   change: (place: string, verb: string, body: object) => void;
@@ -78,6 +84,15 @@ export class Searching {
     this.steps.change(newGesture(), verb, body);
   }
 
+  /** What each term of the objective is worth, of designs that were the best of their time. */
+  async terms(search: number, incumbents: number[]): Promise<TermValues | null> {
+    let values: TermValues | null = null;
+    await this.attempt(async (session) => {
+      values = await session.ask<TermValues>('terms', { search, incumbents });
+    });
+    return values;
+  }
+
   private async attempt(what: (session: Session) => Promise<void>): Promise<void> {
     try {
       if (this.session) await what(this.session);
@@ -97,7 +112,9 @@ export class Searching {
 }
 
 /** What the panel's buttons do. */
-export const searchActions = (searching: () => Searching): SearchActions => ({
+export const searchActions = (searching: () => Searching, sheet: SearchActions['sheet']): SearchActions => ({
+  sheet,
+  terms: (search, incumbents) => searching().terms(search, incumbents),
   vary: (body) => searching().change('vary', body),
   fix: (path) => searching().change('fix', { path }),
   lock: (path, locked) => searching().do('search_lock', { path, locked }),

@@ -54,6 +54,8 @@ export interface Metric {
 export interface Description {
   session?: string;
   revision: number;
+  /** Another number whenever what stands around the devices is another. */
+  surroundings: number;
   undo: number;
   redo: number;
   name: string;
@@ -69,15 +71,55 @@ export interface Description {
   pinned: number | null;
 }
 
+/** A body or a region, in the world. */
+export interface Solid {
+  name: string;
+  /** "": a hand can't change it. */
+  path: string;
+  /** Of a box, along the axes of R. */
+  size: Vec3 | null;
+  R: [Vec3, Vec3, Vec3];
+  vertices: number[];
+  triangles: number[];
+}
+
 export interface Around {
-  occluders: {
-    name: string;
-    carried: boolean;
-    room: boolean;
-    vertices: number[];
-    triangles: number[];
-  }[];
+  occluders: (Solid & { carried: boolean; room: boolean })[];
+  regions: Solid[];
+  /** Outlines and rails. */
+  surfaces: Vec3[][];
   beacons: Vec3[];
+}
+
+/** A change that is offered. */
+export interface Act {
+  path: string;
+  value: string;
+  label: string;
+  help: string;
+}
+
+/** A value of a scene, or a group of them: sheet() of the server. */
+export interface SheetField {
+  path: string;
+  name: string;
+  help: string;
+  kind: 'number' | 'integer' | 'text' | 'choice' | 'group' | 'many';
+  value?: number | string | null;
+  unit?: string;
+  lower?: number | null;
+  upper?: number | null;
+  words?: string[];
+  known?: string[];
+  members?: SheetField[];
+  add?: Act[];
+  remove?: Setting;
+  copy?: boolean;
+  rename?: boolean;
+}
+
+export interface Sheet {
+  sections: SheetField[];
 }
 
 export interface PointReport {

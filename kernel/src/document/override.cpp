@@ -128,7 +128,7 @@ class Walk {
     const std::string& segment = segments_[i];
     for (const auto& [key, member] :
          {std::pair{"groups", "group"}, {"surfaces", "surface"}, {"regions", "region"}})
-      if (i == 1 && segments_[0] == key)
+      if (i == 1 && segments_.size() > 2 && segments_[0] == key)
         return fail(
             i, std::string("there is no such ") + member + keys_text(map, segment));
     if (i + 1 < segments_.size()) {

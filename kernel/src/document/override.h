@@ -17,8 +17,8 @@ namespace delos {
 /// A path is keys joined by dots. Members of lists are called by their `name`, else by
 /// index; components of coordinates by x, y, z (roll, pitch, yaw; w, x, y, z); `*`
 /// before the last means all members there. A key that is absent is added, and checked
-/// like any other; members of lists and of `groups` aren't. `+` after a list adds a
-/// member;
+/// like any other; members of lists aren't, nor is a value within a group, a surface or
+/// a region that there isn't. `+` after a list adds a member;
 /// `-` takes the one away whose name or index is the value; of a mapping, the key.
 void replace_value(Node& root, const std::string& path, Node value, Mark where,
                    Findings& findings);

@@ -164,7 +164,28 @@ await test('a hand while it runs, and designs of before', [roomOf('10-better-spe
   await page.keyboard.press('Control+z');
   await settled(page);
   assert.notEqual(await metres(page, 'z'), 1.0485);
-});
+
+  // One term more, and a constraint that is refused until it says what it is about.
+  const terms = '.search details[data-part="objective.terms"]';
+  await page.click('.search details[data-part=objective] > summary');
+  await page.click(`${terms} > summary`);
+  await page.click('[aria-label="Add to objective.terms"]');
+  await page.waitForSelector(`${terms} details[data-part="objective.terms.1"]`);
+  await settled(page);
+  await page.click('#plot-terms');
+  await page.waitForSelector('.terms-plot circle');
+  const words = await page.getAttribute('.terms-plot svg', 'aria-label');
+  assert.match(words, /^mean eigmax against p-norm of eigmax of \d+ designs/);
+  assert.equal(await page.locator('.terms-plot circle').count(), await page.locator('[data-incumbent]').count());
+  const places = await page.$$eval('.terms-plot circle', (all) => all.map((c) => [Number(c.dataset.x), Number(c.dataset.y)]));
+  assert.ok(places.every(([x, y]) => x >= y), 'no mean is above the 8-norm');
+  await picture(page, 'terms');
+  await page.click('.search details[data-part=constraints] > summary');
+  await page.selectOption('[aria-label="What to add to constraints"]', { label: 'inside' });
+  await page.click('[aria-label="Add to constraints"]');
+  await page.waitForSelector('.message[data-mood=bad]:not(:empty)');
+  assert.match(await page.textContent('.message'), /there is no region ''; the scene declares none/);
+}, 1);
 
 await test('by the keyboard alone, in both themes', [], async (page) => {
   await openScene(page, '12-ceiling-anchors');

@@ -1,15 +1,19 @@
 // The search: what may change, how it goes on, and what was found.
 import { h, iconButton } from '../dom';
-import type { Device, DeviceType } from '../server';
+import type { Box, Device, DeviceType, SheetField } from '../server';
 import type { Searches } from '../searches';
 import type { Task } from '../searching';
 import { parallelCoordinates } from './parallel';
 import { SearchFront, type FrontActions } from './searchfront';
 import { SearchHistory } from './searchhistory';
 import { SearchRunPanel, type RunActions } from './searchrun';
+import { SearchTerms, type TermActions } from './searchterms';
+import { SheetForm, type SheetActions } from './sheetform';
 import { SearchVariables, type VariableActions } from './searchvariables';
 
 export interface SearchActions extends VariableActions, RunActions {
+  sheet: SheetActions;
+  terms: TermActions['terms'];
   front: FrontActions['start'];
   reinstate: (search: number, which: { incumbent: number } | { point: number }) => void;
 }
@@ -20,6 +24,8 @@ export class SearchPanel {
   private readonly run: SearchRunPanel;
   private readonly history: SearchHistory;
   private readonly front: SearchFront;
+  private readonly aims: SheetForm;
+  private readonly terms: SearchTerms;
   private readonly designs = h('div', { className: 'designs' });
   private offered: Task | null = null;
   private searches: Searches | null = null;
@@ -31,6 +37,9 @@ export class SearchPanel {
     this.run = new SearchRunPanel({ ...actions, start: (body) => actions.start({ ...body, locked: this.lockedNow() }) });
     this.history = new SearchHistory((search, incumbent) => actions.reinstate(search, { incumbent }));
     this.front = new SearchFront({ start: actions.front, reinstate: (search, point) => actions.reinstate(search, { point }) });
+    this.aims = new SheetForm(actions.sheet);
+    this.terms = new SearchTerms({ terms: actions.terms, reinstate: (search, incumbent) => actions.reinstate(search, { incumbent }) });
+    this.variables.element.append(this.aims.element);
     this.element = h(
       'section',
       { className: 'search', id: 'search', hidden: true, 'aria-label': 'Search for a better design' },
@@ -43,6 +52,7 @@ export class SearchPanel {
         this.designs,
         this.history.element,
         this.front.element,
+        this.terms.element,
       ),
       iconButton('close', 'Close the search', () => this.toggle(), 'icon close-search'),
     );
@@ -70,6 +80,13 @@ export class SearchPanel {
     else this.variables.show(task, [...this.locked]);
   }
 
+  /** What is made small, and what is kept. */
+  sheet(sections: SheetField[], room: Box): void {
+    const terms = sections.find((s) => s.path === 'objective')?.members?.find((m) => m.name === 'terms');
+    this.terms.several((terms?.members?.length ?? 0) > 1);
+    this.aims.show(sections.filter((s) => s.path === 'objective' || s.path === 'constraints'), room);
+  }
+
   begin(): void {
     this.run.start();
   }
@@ -92,6 +109,7 @@ export class SearchPanel {
     const drawn = now?.kind === 'search' ? parallelCoordinates(now, (path) => units.get(path) ?? '1') : null;
     this.designs.replaceChildren(...(drawn ? [drawn] : []));
     this.history.show(searches);
+    this.terms.show(now?.kind === 'search' ? now : null);
     const front = [...searches.all.values()].filter((s) => s.kind === 'front').pop();
     this.front.show(front?.kind === 'front' ? front : null);
   }

@@ -107,7 +107,7 @@ export function frozenReport(): FrozenReport | null {
 const fieldOf = (base64: string): Field => unpack(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
 
 /** What has no history, and is changed by nobody. */
-const described = (description: Description, pinned: number | null): Description => ({ ...description, revision: 0, undo: 0, redo: 0, pinned });
+const described = (description: Description, pinned: number | null): Description => ({ ...description, revision: 0, undo: 0, redo: 0, surroundings: 0, pinned });
 
 /** All that the picture shows of it; of a study the design that it came to, and the one that it
  * began with to compare with. */

@@ -60,7 +60,7 @@ export class FrozenPicture {
     stage.orbit.enableZoom = false;
     stage.canvas.addEventListener('focus', () => (stage.orbit.enableZoom = true));
     stage.canvas.addEventListener('blur', () => (stage.orbit.enableZoom = false));
-    listenForClicks(this.picture, { pressed: () => stage.canvas.focus({ preventScroll: true }), device: (name) => this.select(name), place: () => {} });
+    listenForClicks(this.picture, { pressed: () => stage.canvas.focus({ preventScroll: true }), device: (name) => this.select(name), body: () => {}, place: () => {} });
     this.compare.element.hidden = shown.pinned === null;
     this.element = this.laidOut();
     this.devices.show(shown.description!, null);

@@ -8,16 +8,19 @@ import {
   DoubleSide,
   EdgesGeometry,
   Group,
+  Line,
   LineBasicMaterial,
   LineSegments,
   Mesh,
+  MeshBasicMaterial,
   MeshLambertMaterial,
   Object3D,
   Points,
   PointsMaterial,
+  type Raycaster,
   Vector3,
 } from 'three';
-import type { Around, Box } from '../server';
+import type { Around, Box, Solid } from '../server';
 import { paint } from './paint';
 
 export interface RoomColours {
@@ -25,6 +28,8 @@ export interface RoomColours {
   faint: string;
   bodies: string;
   beacons: string;
+  selected: string;
+  region: string;
 }
 
 /** Free what an object and those in it hold of the graphics card, but for what they are
@@ -63,7 +68,19 @@ function floor(box: Box, colours: RoomColours): { lines: LineSegments; step: num
   return { lines: new LineSegments(new BufferGeometry().setFromPoints(points), material), step };
 }
 
-function body(entry: Around['occluders'][number], colours: RoomColours): Object3D {
+/** Thin as air: only its edges are strong. */
+function region(entry: Solid, colour: string): Object3D {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(entry.vertices), 3));
+  geometry.setIndex(entry.triangles);
+  const air = paint(`region ${colour}`, () => new MeshBasicMaterial({ color: colour, side: DoubleSide, transparent: true, opacity: 0.08, depthWrite: false }));
+  const group = new Group();
+  group.add(new Mesh(geometry, air), new LineSegments(new EdgesGeometry(geometry, 30), line(colour)));
+  return group;
+}
+
+function body(entry: Around['occluders'][number], chosen: boolean, colours: RoomColours): Object3D {
+  const color = chosen ? colours.selected : colours.bodies;
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(entry.vertices), 3));
   geometry.setIndex(entry.triangles);
@@ -76,10 +93,10 @@ function body(entry: Around['occluders'][number], colours: RoomColours): Object3
       new Mesh(
         shell,
         paint(
-          `body ${colours.bodies}`,
+          `body ${color}`,
           () =>
             new MeshLambertMaterial({
-              color: colours.bodies,
+              color,
               side: DoubleSide,
               transparent: true,
               opacity: 0.55,
@@ -95,7 +112,7 @@ function body(entry: Around['occluders'][number], colours: RoomColours): Object3
   group.add(
     new LineSegments(
       new EdgesGeometry(geometry, 30),
-      line(colours.lines),
+      line(chosen ? colours.selected : colours.lines),
     ),
   );
   return group;
@@ -106,7 +123,8 @@ export class Room {
   /** Metres between the lines of the floor. */
   step = 1;
 
-  show(samples: Box, room: Box, around: Around, colours: RoomColours): void {
+  /** @param chosen path of a body or a region */
+  show(samples: Box, room: Box, around: Around, chosen: string | null, colours: RoomColours): void {
     for (const child of [...this.group.children]) discard(child);
     const bounds = new Box3(new Vector3(...samples.min), new Vector3(...samples.max));
     const frame = new Box3Helper(bounds, new Color(colours.lines));
@@ -115,7 +133,10 @@ export class Room {
     this.group.add(frame, lines);
     // What moves with the target has no place of its own in the room.
     for (const entry of around.occluders)
-      if (!entry.carried) this.group.add(body(entry, colours));
+      if (!entry.carried) this.add(body(entry, entry.path !== '' && entry.path === chosen, colours), entry.path);
+    for (const entry of around.regions) this.add(region(entry, entry.path === chosen ? colours.selected : colours.region), entry.path);
+    for (const points of around.surfaces)
+      if (points.length > 1) this.group.add(new Line(new BufferGeometry().setFromPoints(points.map((p) => new Vector3(...p))), line(colours.region)));
     if (around.beacons.length > 0)
       this.group.add(
         new Points(
@@ -126,5 +147,19 @@ export class Room {
           ),
         ),
       );
+  }
+
+  private add(object: Object3D, path: string): void {
+    object.userData.path = path;
+    this.group.add(object);
+  }
+
+  /** The body or region that a ray meets first, of those that a hand can change. */
+  pick(ray: Raycaster): { path: string; distance: number } | null {
+    for (const { object, distance } of ray.intersectObject(this.group, true)) {
+      const path = object.parent?.userData.path as string | undefined;
+      if (path && (object as Mesh).isMesh) return { path, distance };
+    }
+    return null;
   }
 }
