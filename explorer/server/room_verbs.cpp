@@ -1,8 +1,8 @@
 #include "server/request.h"
 #include "server/verbs.h"
 #include "session/bodies.h"
-#include "session/sheet.h"
-#include "session/sheet_edits.h"
+#include "session/form_edits.h"
+#include "session/scene_form.h"
 
 namespace delos::server {
 namespace {
@@ -25,13 +25,13 @@ std::optional<Eigen::Vector3d> vector_if_there(const Json& request, const char* 
 }  // namespace
 
 /// {}
-Reply sheet(const Work& work) {
-  Json json = session::sheet(room_of(work), work.plugins);
+Reply form(const Work& work) {
+  Json json = session::scene_form(room_of(work), work.plugins);
   json["revision"] = work.visitor.revision;
   return json_reply(json);
 }
 
-/// {set: [{path, value}], gesture}: by the paths of the sheet
+/// {set: [{path, value}], gesture}: by the paths of the form
 Reply edit(const Work& work) {
   std::vector<Override> changes = changes_asked(work.request);
   if (changes.empty()) throw BadRequest("there is nothing to change");

@@ -39,7 +39,7 @@ constexpr Verb kVerbs[] = {
     {"array", array, true},
     {"mirror", mirror, true},
     {"remove", remove, true},
-    {"sheet", sheet, false},
+    {"form", form, false},
     {"edit", edit, true},
     {"copy_part", copy_part, true},
     {"rename_part", rename_part, true},

@@ -49,7 +49,7 @@ struct Verb {
 [[nodiscard]] Reply unpin(const Work& work);
 
 // Those of the room, whatever it is made of. @throws BadRequest
-[[nodiscard]] Reply sheet(const Work& work);
+[[nodiscard]] Reply form(const Work& work);
 [[nodiscard]] Reply edit(const Work& work);
 [[nodiscard]] Reply copy_part(const Work& work);
 [[nodiscard]] Reply rename_part(const Work& work);

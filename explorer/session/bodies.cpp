@@ -6,7 +6,7 @@
 #include "session/description.h"
 #include "session/refusal.h"
 #include "session/scene_changes.h"
-#include "session/sheet_edits.h"
+#include "session/form_edits.h"
 #include "session/value_tree.h"
 
 namespace delos::session {

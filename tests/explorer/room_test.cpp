@@ -49,8 +49,8 @@ TEST(Rooms, AreChangedAsTheirSheetSays) {
   EXPECT_EQ(regions[1]["size"], Json({2, 1, 2}));
   EXPECT_EQ(lab.ask("describe", Json::object())["undo"], 5) << "a drag is one step";
   std::size_t sections = 0;
-  const Json sheet = lab.ask("sheet", Json::object());
-  for (const Json& section : sheet["sections"])
+  const Json form = lab.ask("form", Json::object());
+  for (const Json& section : form["sections"])
     if (section["path"] == "regions" || section["path"] == "constraints")
       sections += section["members"].size();
   EXPECT_EQ(sections, 3u);

@@ -11,7 +11,7 @@ import { listenForClicks } from './mouse';
 import { download } from './saving';
 import { listScenes, Session, type Around, type Description, type Palette, type Vec3 } from './server';
 import { applyTheme, currentTheme, type Theme } from './theme';
-import { Rooming, sheetActions } from './rooming';
+import { Rooming, formActions } from './rooming';
 import { searchActions, Searching } from './searching';
 import { ViewCube } from './view/viewcube';
 import type { ViewName } from './view/eye';
@@ -83,7 +83,7 @@ export class App {
       hasPin: () => this.shown.description?.pinned != null,
     };
     const commands = commandsOf(doings);
-    const sheet = sheetActions(() => this.rooming, (place, verb, body) => this.work.change(place, verb, body));
+    const form = formActions(() => this.rooming, (place, verb, body) => this.work.change(place, verb, body));
     this.layout = new Layout(
       root,
       this.viewing,
@@ -102,8 +102,8 @@ export class App {
         makeArray: (array) => this.make('array', { device: this.shown.selected, ...array }),
         add: (type, preset) => this.make('add', { type, preset, ...(this.shown.asked ? { at: this.shown.asked } : {}) }),
         set: (setting) => this.work.change(setting.path, 'change', { set: [setting], gesture: '' }),
-        searching: searchActions(() => this.searching, sheet),
-        rooming: { ...sheet, paint: doings.paint, close: doings.room },
+        searching: searchActions(() => this.searching, form),
+        rooming: { ...form, paint: doings.paint, close: doings.room },
       },
       commands,
     );

@@ -1,9 +1,9 @@
-// The room in the hand: its sheet, the body that is chosen, and boxes that are drawn.
+// The room in the hand: its form, the body that is chosen, and boxes that are drawn.
 import { newGesture } from './gesture';
 import type { Painted, RoomPanel } from './panels/room';
 import type { SearchPanel } from './panels/search';
 import type { Picture, Shown } from './picture';
-import type { Session, Sheet } from './server';
+import type { Session, FormAnswer } from './server';
 import { Painter } from './view/painter';
 import type { Viewing } from './viewing';
 
@@ -71,11 +71,11 @@ export class Rooming {
   private async ask(): Promise<void> {
     const { session } = this;
     try {
-      const { sections } = await session!.ask<Sheet>('sheet');
+      const { sections } = await session!.ask<FormAnswer>('form');
       if (session !== this.session) return;
       const { room } = this.shown.description!;
       this.panel.show(sections, room);
-      this.search.sheet(sections, room);
+      this.search.form(sections, room);
       if (this.shown.body) this.panel.reveal(this.shown.body);
     } catch (error) {
       this.steps.failed(error);
@@ -90,7 +90,7 @@ export class Rooming {
     } else this.choose(null);
   }
 
-  /** A part of the sheet was opened: one that is a body is chosen. */
+  /** A part of the form was opened: one that is a body is chosen. */
   opened(path: string): void {
     if (this.pathsNow().includes(path)) this.choose(path);
   }
@@ -138,8 +138,8 @@ export class Rooming {
   }
 }
 
-/** What the fields of a sheet do. */
-export const sheetActions = (rooming: () => Rooming, change: RoomSteps['change']) => ({
+/** What the fields of a form do. */
+export const formActions = (rooming: () => Rooming, change: RoomSteps['change']) => ({
   edit: (set: { path: string; value: string }[], gesture: string) => change(`edit ${set.map((s) => s.path).join()}${gesture ? '' : newGesture()}`, 'edit', { set, gesture }),
   copyPart: (path: string) => change(newGesture(), 'copy_part', { path }),
   renamePart: (path: string, name: string) => change(newGesture(), 'rename_part', { path, name }),

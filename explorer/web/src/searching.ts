@@ -112,8 +112,8 @@ export class Searching {
 }
 
 /** What the panel's buttons do. */
-export const searchActions = (searching: () => Searching, sheet: SearchActions['sheet']): SearchActions => ({
-  sheet,
+export const searchActions = (searching: () => Searching, form: SearchActions['form']): SearchActions => ({
+  form,
   terms: (search, incumbents) => searching().terms(search, incumbents),
   vary: (body) => searching().change('vary', body),
   fix: (path) => searching().change('fix', { path }),

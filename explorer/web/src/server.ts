@@ -99,8 +99,8 @@ export interface Act {
   help: string;
 }
 
-/** A value of a scene, or a group of them: sheet() of the server. */
-export interface SheetField {
+/** A value of a scene, or a group of them: scene_form() of the server. */
+export interface FormField {
   path: string;
   name: string;
   help: string;
@@ -111,15 +111,15 @@ export interface SheetField {
   upper?: number | null;
   words?: string[];
   known?: string[];
-  members?: SheetField[];
+  members?: FormField[];
   add?: Act[];
   remove?: Setting;
   copy?: boolean;
   rename?: boolean;
 }
 
-export interface Sheet {
-  sections: SheetField[];
+export interface FormAnswer {
+  sections: FormField[];
 }
 
 export interface PointReport {

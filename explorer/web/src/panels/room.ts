@@ -1,12 +1,12 @@
 // What the room is made of, and all else that a scene says beside its devices.
 import { h, iconButton } from '../dom';
-import type { Box, SheetField } from '../server';
-import { SheetForm, type SheetActions } from './sheetform';
+import type { Box, FormField } from '../server';
+import { SceneForm, type FormActions } from './sceneform';
 
 /** What a rectangle that is drawn becomes. */
 export type Painted = 'region' | 'occluder' | 'samples';
 
-export interface RoomActions extends SheetActions {
+export interface RoomActions extends FormActions {
   paint: (what: Painted) => void;
   close: () => void;
 }
@@ -18,11 +18,11 @@ const ofSearches = ['objective', 'constraints', 'selection'];
 
 export class RoomPanel {
   readonly element: HTMLElement;
-  private readonly form: SheetForm;
+  private readonly form: SceneForm;
   private readonly what: HTMLSelectElement;
 
   constructor(actions: RoomActions) {
-    this.form = new SheetForm(actions);
+    this.form = new SceneForm(actions);
     this.what = h('select', { id: 'paint-what', 'aria-label': 'What to draw' }, ...Object.entries(painted).map(([value, text]) => h('option', { value }, text)));
     const draw = h('button', { type: 'button', id: 'paint', title: 'Drag a rectangle on the slice across z, or on the floor (Shift B)', onclick: () => actions.paint(this.chosen) }, 'Draw');
     this.element = h(
@@ -41,7 +41,7 @@ export class RoomPanel {
     return this.what.value as Painted;
   }
 
-  show(sections: SheetField[], room: Box): void {
+  show(sections: FormField[], room: Box): void {
     this.form.show(sections.filter((s) => !ofSearches.includes(s.path)), room);
   }
 

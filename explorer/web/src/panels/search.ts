@@ -1,6 +1,6 @@
 // The search: what may change, how it goes on, and what was found.
 import { h, iconButton } from '../dom';
-import type { Box, Device, DeviceType, SheetField } from '../server';
+import type { Box, Device, DeviceType, FormField } from '../server';
 import type { Searches } from '../searches';
 import type { Task } from '../searching';
 import { parallelCoordinates } from './parallel';
@@ -8,11 +8,11 @@ import { SearchFront, type FrontActions } from './searchfront';
 import { SearchHistory } from './searchhistory';
 import { SearchRunPanel, type RunActions } from './searchrun';
 import { SearchTerms, type TermActions } from './searchterms';
-import { SheetForm, type SheetActions } from './sheetform';
+import { SceneForm, type FormActions } from './sceneform';
 import { SearchVariables, type VariableActions } from './searchvariables';
 
 export interface SearchActions extends VariableActions, RunActions {
-  sheet: SheetActions;
+  form: FormActions;
   terms: TermActions['terms'];
   front: FrontActions['start'];
   reinstate: (search: number, which: { incumbent: number } | { point: number }) => void;
@@ -24,7 +24,7 @@ export class SearchPanel {
   private readonly run: SearchRunPanel;
   private readonly history: SearchHistory;
   private readonly front: SearchFront;
-  private readonly aims: SheetForm;
+  private readonly aims: SceneForm;
   private readonly terms: SearchTerms;
   private readonly designs = h('div', { className: 'designs' });
   private offered: Task | null = null;
@@ -37,7 +37,7 @@ export class SearchPanel {
     this.run = new SearchRunPanel({ ...actions, start: (body) => actions.start({ ...body, locked: this.lockedNow() }) });
     this.history = new SearchHistory((search, incumbent) => actions.reinstate(search, { incumbent }));
     this.front = new SearchFront({ start: actions.front, reinstate: (search, point) => actions.reinstate(search, { point }) });
-    this.aims = new SheetForm(actions.sheet);
+    this.aims = new SceneForm(actions.form);
     this.terms = new SearchTerms({ terms: actions.terms, reinstate: (search, incumbent) => actions.reinstate(search, { incumbent }) });
     this.variables.element.append(this.aims.element);
     this.element = h(
@@ -81,7 +81,7 @@ export class SearchPanel {
   }
 
   /** What is made small, and what is kept. */
-  sheet(sections: SheetField[], room: Box): void {
+  form(sections: FormField[], room: Box): void {
     const terms = sections.find((s) => s.path === 'objective')?.members?.find((m) => m.name === 'terms');
     this.terms.several((terms?.members?.length ?? 0) > 1);
     this.aims.show(sections.filter((s) => s.path === 'objective' || s.path === 'constraints'), room);

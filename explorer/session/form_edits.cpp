@@ -1,4 +1,4 @@
-#include "session/sheet_edits.h"
+#include "session/form_edits.h"
 
 #include <algorithm>
 

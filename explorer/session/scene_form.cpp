@@ -1,4 +1,4 @@
-#include "session/sheet.h"
+#include "session/scene_form.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include "delos/scene/number.h"
 #include "delos/scene/scene_shape.h"
 #include "delos/text/units.h"
+#include "session/form_edits.h"
 #include "session/names_used.h"
 #include "session/search_answer.h"
 #include "session/shape_forms.h"
-#include "session/sheet_edits.h"
 #include "session/starts.h"
 #include "session/value_tree.h"
 
@@ -295,7 +295,7 @@ class Form {
 
 }  // namespace
 
-Json sheet(const LoadedScene& loaded, PluginRegistry& plugins) {
+Json scene_form(const LoadedScene& loaded, PluginRegistry& plugins) {
   return {{"sections", Form(loaded, plugins).sections()}};
 }
 

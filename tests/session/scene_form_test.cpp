@@ -1,5 +1,5 @@
 // The form of a scene: it shows what there is, and what it offers can be done.
-#include "session/sheet.h"
+#include "session/scene_form.h"
 
 #include <functional>
 
@@ -7,7 +7,7 @@
 #include "delos/scene/io.h"
 #include "designs.h"
 #include "session/refusal.h"
-#include "session/sheet_edits.h"
+#include "session/form_edits.h"
 #include "session/value_tree.h"
 
 namespace delos::session {
@@ -22,7 +22,7 @@ void each_field(const Json& field, const Visit& visit) {
 }
 
 void each_field(const Design& design, const Visit& visit) {
-  const Json all = sheet(design.loaded(), plugins());
+  const Json all = scene_form(design.loaded(), plugins());
   for (const Json& section : all["sections"]) each_field(section, visit);
 }
 
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Sheets,
                            return name;
                          });
 
-TEST(Sheet, KnowsUnitsAndBounds) {
+TEST(SceneForm, KnowsUnitsAndBounds) {
   Design design = design_of("05-optitrack-lab");
   change(design,
          {{"occluders", "[{name: pillar, cylinder: {radius: 20 cm, height: 3}}]"},
@@ -132,7 +132,7 @@ TEST(Sheet, KnowsUnitsAndBounds) {
 }
 
 /// What a section offers can be added, whichever it is: a room of its own each time.
-TEST(Sheet, OffersWhatCanBeAdded) {
+TEST(SceneForm, OffersWhatCanBeAdded) {
   for (const std::string section :
        {"occluders", "regions", "sample", "surfaces", "beacons", "groups", "clutter",
         "motions", "constraints", "objective"}) {
@@ -155,7 +155,7 @@ TEST(Sheet, OffersWhatCanBeAdded) {
   }
 }
 
-TEST(Sheet, CopiesRenamesAndRemoves) {
+TEST(SceneForm, CopiesRenamesAndRemoves) {
   Design design = design_of("05-optitrack-lab");
   edit(design, "regions.door", "{box: {min: [0, 0, 0], max: [1, 1, 2]}}");
   edit(design, "occluders.+", "{name: table, box: {min: [0, 0, 0], max: [1, 1, 1]}}");
@@ -190,7 +190,7 @@ TEST(Sheet, CopiesRenamesAndRemoves) {
 }
 
 /// A variable of what is renamed follows.
-TEST(Sheet, RenamesVariables) {
+TEST(SceneForm, RenamesVariables) {
   Design design = design_of("05-optitrack-lab");
   edit(design, "occluders.+", "{name: post, sphere: {radius: 0.1}, at: [0, 0, 1]}");
   edit(design, "variables.+", "{path: occluders.post.at.x, lower: -1, upper: 1}");
@@ -199,7 +199,7 @@ TEST(Sheet, RenamesVariables) {
 }
 
 /// However the file says it: here the motion is in words, and is shown by its numbers.
-TEST(Sheet, ChangesWhatIsShown) {
+TEST(SceneForm, ChangesWhatIsShown) {
   Design design = design_of("05-optitrack-lab");
   change(design, {{"motion", "{named: walk}"}});
   const double q = field_at(design, "motion.q.0")["value"];
@@ -208,7 +208,7 @@ TEST(Sheet, ChangesWhatIsShown) {
 }
 
 /// Sentences are those of `delos check`.
-TEST(Sheet, RefusesWithTheScenesOwnWords) {
+TEST(SceneForm, RefusesWithTheScenesOwnWords) {
   Design design = design_of("05-optitrack-lab");
   Diagnostics findings;
   EXPECT_FALSE(design.change(
@@ -230,7 +230,7 @@ TEST(Sheet, RefusesWithTheScenesOwnWords) {
 }
 
 /// Of another metric, what was made small is made large where more is better.
-TEST(Sheet, FollowsTheMetric) {
+TEST(SceneForm, FollowsTheMetric) {
   Design design = design_of("10-better-speakers");
   change(design, {{"objective", "{minimize: mean}"},
                   {"constraints", "[{name: good, metric: eigmax, below: 1}]"}});

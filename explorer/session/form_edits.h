@@ -1,4 +1,4 @@
-// Changes of a scene as its sheet shows it.
+// Changes of a scene as its form shows it.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 namespace delos::session {
 
 /// The changes of top-level keys that changes of the scene as it is written come to:
-/// whatever its file says, they mean what sheet() shows. Where a metric is named of
-/// which more is better, what was minimized is maximized, and the other way round.
+/// whatever its file says, they mean what scene_form() shows. Where a metric is named
+/// of which more is better, what was minimized is maximized, and the other way round.
 /// @throws Refusal a path leads nowhere, or a value isn't YAML
 [[nodiscard]] std::vector<Override> edits(const Scene& scene,
                                           std::vector<Override> changes);

@@ -21,6 +21,6 @@ namespace delos::session {
 ///
 /// Paths are those of `--set`; what `add` and `remove` hold are changes by it. A number
 /// is in SI; a bound that there isn't is null.
-[[nodiscard]] Json sheet(const LoadedScene& loaded, PluginRegistry& plugins);
+[[nodiscard]] Json scene_form(const LoadedScene& loaded, PluginRegistry& plugins);
 
 }  // namespace delos::session

@@ -1,9 +1,9 @@
 // Values of a scene as fields, whatever they are: the server says kind, unit and bounds of each.
 import { h, iconButton } from '../dom';
-import type { Act, Box, Setting, SheetField } from '../server';
+import type { Act, Box, Setting, FormField } from '../server';
 import { NumberField } from './number';
 
-export interface SheetActions {
+export interface FormActions {
   edit: (set: Setting[], gesture: string) => void;
   copyPart: (path: string) => void;
   renamePart: (path: string, name: string) => void;
@@ -13,30 +13,30 @@ export interface SheetActions {
 
 interface Shown {
   element: HTMLElement;
-  update: (field: SheetField) => void;
+  update: (field: FormField) => void;
 }
 
 const metres = { name: 'm', factor: 1 };
 
 /** What of a field its elements depend on; its value alone doesn't count. */
-const structure = (field: SheetField): unknown => [field.path, field.kind, field.known, field.add?.map((a) => a.path + a.label), field.members?.map(structure)];
+const structure = (field: FormField): unknown => [field.path, field.kind, field.known, field.add?.map((a) => a.path + a.label), field.members?.map(structure)];
 
 /** What a member is made of is open with it. */
-const isInner = (field: SheetField) => field.path.split('.').length > 2 && !field.copy;
+const isInner = (field: FormField) => field.path.split('.').length > 2 && !field.copy;
 
 let ids = 0;
 
-export class SheetForm {
-  readonly element = h('div', { className: 'sheet' });
+export class SceneForm {
+  readonly element = h('div', { className: 'form' });
   private readonly opened = new Set<string>();
   private shown: Shown[] = [];
   private key = '';
   private room: Box = { min: [0, 0, 0], max: [1, 1, 1] };
 
-  constructor(private readonly actions: SheetActions) {}
+  constructor(private readonly actions: FormActions) {}
 
   /** @param sections that are shown @param room how far sliders of places reach */
-  show(sections: SheetField[], room: Box): void {
+  show(sections: FormField[], room: Box): void {
     this.room = room;
     const key = JSON.stringify(sections.map(structure));
     if (key === this.key) return sections.forEach((section, k) => this.shown[k]!.update(section));
@@ -57,7 +57,7 @@ export class SheetForm {
     }
   }
 
-  private field(field: SheetField): Shown {
+  private field(field: FormField): Shown {
     switch (field.kind) {
       case 'number':
       case 'integer':
@@ -73,11 +73,11 @@ export class SheetForm {
     }
   }
 
-  private set(field: SheetField, value: string, gesture = ''): void {
+  private set(field: FormField, value: string, gesture = ''): void {
     this.actions.edit([{ path: field.path, value }], gesture);
   }
 
-  private number(field: SheetField): Shown {
+  private number(field: FormField): Shown {
     const value = field.value as number;
     const place = field.unit === 'm' && /\.[xyz]$/.test(field.path);
     const size = Math.max(...this.room.max.map((x, k) => x - this.room.min[k]!), 1e-3);
@@ -98,19 +98,19 @@ export class SheetForm {
     return { element: this.removable(field, shown.element), update: (f) => shown.update(f.value as number) };
   }
 
-  private choice(field: SheetField): Shown {
-    const id = `sheet-${++ids}`;
+  private choice(field: FormField): Shown {
+    const id = `form-${++ids}`;
     const select = h('select', { id, 'data-field': field.path, onchange: () => this.set(field, select.value) }, ...field.words!.map((word) => h('option', { value: word }, word)));
-    const update = (f: SheetField) => (select.value = String(f.value));
+    const update = (f: FormField) => (select.value = String(f.value));
     update(field);
     return { element: this.row(field, id, select), update };
   }
 
-  private text(field: SheetField): Shown {
-    const id = `sheet-${++ids}`;
+  private text(field: FormField): Shown {
+    const id = `form-${++ids}`;
     const known = field.known ?? [];
     const input = h('input', { type: 'text', id, 'data-field': field.path, spellcheck: false, autocomplete: 'off', onchange: () => this.set(field, input.value) });
-    const update = (f: SheetField) => {
+    const update = (f: FormField) => {
       if (document.activeElement === input && input.value !== input.defaultValue && input.value !== String(f.value)) return;
       input.value = input.defaultValue = String(f.value ?? '');
     };
@@ -121,21 +121,21 @@ export class SheetForm {
     return { element: this.row(field, id, input, names), update };
   }
 
-  private row(field: SheetField, id: string, ...inputs: HTMLElement[]): HTMLElement {
+  private row(field: FormField, id: string, ...inputs: HTMLElement[]): HTMLElement {
     const label = h('label', { htmlFor: id, title: field.help }, field.name);
     return this.removable(field, h('div', { className: 'number wide' }, label, ...inputs));
   }
 
   /** What may be left out can be taken away. */
-  private removable(field: SheetField, element: HTMLElement): HTMLElement {
+  private removable(field: FormField, element: HTMLElement): HTMLElement {
     const { remove } = field;
     if (!remove) return element;
     return h('div', { className: 'removable' }, element, iconButton('close', `Leave out ${field.path}`, () => this.actions.edit([remove], '')));
   }
 
-  private group(field: SheetField): Shown {
+  private group(field: FormField): Shown {
     const members = (field.members ?? []).map((member) => this.field(member));
-    const update = (f: SheetField) => members.forEach((m, k) => m.update(f.members![k]!));
+    const update = (f: FormField) => members.forEach((m, k) => m.update(f.members![k]!));
     const inner = [this.doings(field), ...members.map((m) => m.element), this.adding(field)].filter((x) => x !== null);
     // Components of a place are lines of what they are in.
     const vector = members.length > 0 && members.length <= 4 && field.members!.every((m) => m.kind === 'number');
@@ -161,7 +161,7 @@ export class SheetForm {
   }
 
   /** What is done with a member as a whole. */
-  private doings(field: SheetField): HTMLElement | null {
+  private doings(field: FormField): HTMLElement | null {
     const { actions } = this;
     const { path, remove } = field;
     if (!remove && !field.copy && !field.rename) return null;
@@ -177,7 +177,7 @@ export class SheetForm {
     );
   }
 
-  private adding(field: SheetField): HTMLElement | null {
+  private adding(field: FormField): HTMLElement | null {
     const add = field.add ?? [];
     if (add.length === 0) return null;
     const what = h('select', { 'aria-label': `What to add to ${field.path}`, 'data-field': `${field.path} add` }, ...add.map((a, k) => h('option', { value: String(k), title: a.help }, a.label)));
