@@ -50,7 +50,7 @@ TEST(Render, RefusesWhatItCantDraw) {
       {{"--between", "30 mm,20 mm"}, "the first is greater than the second"},
       {{"--between", "20 s,"}, "--between '20 s,': "},
       {{"--relief", "high"}, "--relief 'high': "},
-      {{"--layers", "box,cells"}, "cells: the scene isn't sampled adaptively"},
+      {{"--layers", "box,cells"}, "--layers: there are no cells: the scene isn't"},
       {{"--layers", "roof"}, "there is no 'roof'"}};
   for (const auto& [options, sentence] : wrong) {
     std::vector<std::string> words{"render", file, "-o", "no.png"};
