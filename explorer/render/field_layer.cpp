@@ -32,7 +32,8 @@ class FieldPainter {
   void sheet(const Sheet& s, bool raised = false) {
     const auto colour = [&](const Eigen::Vector3d& uv, int x,
                             int y) -> std::optional<Colour> {
-      if (raised && whole_at(s, uv.x(), uv.y())) return std::nullopt;
+      if (raised && drawn_.mask[nearest(s, uv.x(), uv.y())] == Drawn::value)
+        return std::nullopt;
       return at_sheet(s, uv.x(), uv.y(), x, y);
     };
     const Eigen::Vector3d o = s.origin, far = o + s.u + s.v;
@@ -130,16 +131,11 @@ class FieldPainter {
     return length > 0 ? least + (1 - least) * std::abs(normal.z()) / length : 1;
   }
 
-  /// Whether all four samples around a place have a value.
-  [[nodiscard]] bool whole_at(const Sheet& s, double u, double v) const {
-    const auto before = [](double part, int n) {
-      return std::clamp(static_cast<int>(part * (n - 1)), 0, std::max(0, n - 2));
+  [[nodiscard]] static std::size_t nearest(const Sheet& s, double u, double v) {
+    const auto along = [](double part, int n) {
+      return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * (n - 1)));
     };
-    const int i = before(u, s.nu), j = before(v, s.nv);
-    for (const int b : {j, std::min(j + 1, s.nv - 1)})
-      for (const int a : {i, std::min(i + 1, s.nu - 1)})
-        if (drawn_.mask[s.index(a, b)] != Drawn::value) return false;
-    return true;
+    return s.index(along(u, s.nu), along(v, s.nv));
   }
 
   /// The nearest sample decides whether there is a value; values are blended between
@@ -148,8 +144,7 @@ class FieldPainter {
                                 int y) const {
     const double a = std::clamp(u, 0.0, 1.0) * (s.nu - 1),
                  b = std::clamp(v, 0.0, 1.0) * (s.nv - 1);
-    const std::size_t nearest =
-        s.index(static_cast<int>(std::lround(a)), static_cast<int>(std::lround(b)));
+    const std::size_t nearest = this->nearest(s, u, v);
     if (drawn_.mask[nearest] != Drawn::value)
       return without_value(drawn_.mask[nearest], x, y);
     if (!blended_) return of_value(drawn_.field.value[nearest]);
@@ -244,7 +239,9 @@ void draw_leaves(FieldPainter& painter, const session::DrawnField& drawn,
                  const PictureOptions& options) {
   if (!options.cells) return;
   if (!drawn.leaves)
-    throw Refusal(Blame::question, "cells: the scene isn't sampled adaptively");
+    throw Refusal(Blame::question,
+                  "layers: there are no cells: the scene isn't sampled "
+                  "adaptively");
   for (const Slice& slice : options.slices) painter.leaves(leaves_of(drawn, slice));
   if (options.slices.empty()) painter.leaves(leaves_of(drawn, std::nullopt));
 }

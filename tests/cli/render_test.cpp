@@ -78,7 +78,7 @@ TEST(Render, RefusesWhatItCantDraw) {
       {{"--between", "30 mm,20 mm"}, "the first is greater than the second"},
       {{"--between", "20 s,"}, "--between '20 s,': "},
       {{"--relief", "high"}, "--relief 'high': "},
-      {{"--layers", "box,cells"}, "cells: the scene isn't sampled adaptively"},
+      {{"--layers", "box,cells"}, "--layers: there are no cells: the scene isn't"},
       {{"--through", "kriging"}, "--through 'kriging': choose natural-neighbour, "},
       {{"--through", "linear"}, "--through: the scene samples no points, path or mesh"},
       {{"--through", "linear", "--over", "w"}, "--over 'w': choose x, y or z"},

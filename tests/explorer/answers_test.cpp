@@ -1,8 +1,6 @@
 // What the server answers is what the command line answers.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "client.h"
 
 namespace delos::test {
@@ -16,14 +14,6 @@ Json lasting(Json json) {
   return json;
 }
 
-/// The text at the head of a packed field.
-Json head_of(const Answer& answer) {
-  EXPECT_EQ(answer.body.substr(0, 4), "DLF1");
-  std::uint32_t length = 0;
-  std::memcpy(&length, answer.body.data() + 4, sizeof length);
-  return Json::parse(answer.body.substr(8, length));
-}
-
 class FieldAnswers : public testing::TestWithParam<const char*> {};
 
 TEST_P(FieldAnswers, AreThoseOfFieldAndPoint) {
@@ -32,7 +22,7 @@ TEST_P(FieldAnswers, AreThoseOfFieldAndPoint) {
   const std::string session = design["session"];
   const Answer field = explorer.ask("field", session, {{"most", 0}});
   ASSERT_EQ(field.status, 200) << field.body;
-  const Json summary = head_of(field)["summary"];
+  const Json summary = field.packed_head("DLF1")["summary"];
   EXPECT_EQ(lasting(summary),
             lasting(run({"field", scene(GetParam()), "--json"}).json()));
 
@@ -60,7 +50,7 @@ TEST(Answers, HaveASurfaceThroughSamples) {
   const Json how{{"method", "natural-neighbour"}, {"over", "y"}, {"relief", 0.1}};
   const Answer answer = explorer.ask("through", session, how);
   ASSERT_EQ(answer.status, 200) << answer.body;
-  const Json head = head_of(answer);
+  const Json head = answer.packed_head("DLF1");
   const Folder folder;
   const Json picture = run({"render", scene("07-torso"), "-o", "torso.png", "--through",
                             "natural-neighbour", "--over", "y", "--json"},
@@ -168,7 +158,7 @@ TEST(Designs, AreSavedAsScenes) {
     const Answer moved =
         explorer.ask("place", session, {{"device", device}, {"p", {0.5, 0.25, 1.75}}});
     ASSERT_EQ(moved.status, 200) << moved.body;
-    const Json summary = head_of(explorer.ask("field", session))["summary"];
+    const Json summary = explorer.ask("field", session).packed_head("DLF1")["summary"];
     const Folder folder;
     const auto file = folder.write("saved.yaml", explorer.ask("text", session).body);
     const Json saved = run({"field", file.string(), "--json"}).json();
@@ -209,7 +199,7 @@ TEST(Designs, HaveDevicesMoreAndFewer) {
   ask("copy", {{"device", "upper1"}, {"by", {0.1, 0, 0}}});
   const Json state = ask("remove", {{"device", "upper2"}});
   EXPECT_EQ(state["devices"].size(), 10u);
-  const Json summary = head_of(explorer.ask("field", session))["summary"];
+  const Json summary = explorer.ask("field", session).packed_head("DLF1")["summary"];
   const Folder folder;
   const auto file = folder.write("saved.yaml", explorer.ask("text", session).body);
   EXPECT_EQ(lasting(run({"field", file.string(), "--json"}).json()), lasting(summary));
@@ -232,7 +222,8 @@ TEST(Designs, AreComparedWithWhatIsPinned) {
   EXPECT_FALSE(explorer.ask("pin", session).json()["pinned"].is_null());
   explorer.ask("change", session,
                {{"set", {{{"path", "devices.*.params.focal"}, {"value", "5 mm"}}}}});
-  const Json summary = head_of(explorer.ask("difference", session))["summary"];
+  const Json summary =
+      explorer.ask("difference", session).packed_head("DLF1")["summary"];
   const Folder folder;
   const auto now = folder.write("now.yaml", explorer.ask("text", session).body);
   const Json difference =
@@ -243,7 +234,8 @@ TEST(Designs, AreComparedWithWhatIsPinned) {
   EXPECT_EQ(summary["max"]["value"], difference["max"]);
   EXPECT_EQ(summary["better"], difference["improved_fraction"]);
   EXPECT_EQ(summary["finite"], difference["common"]);
-  const Json pinned = head_of(explorer.ask("field", session, {{"of", "pinned"}}));
+  const Json pinned =
+      explorer.ask("field", session, {{"of", "pinned"}}).packed_head("DLF1");
   EXPECT_EQ(lasting(pinned["summary"]),
             lasting(run({"field", scene("02-eight-cameras"), "--json"}).json()));
   EXPECT_TRUE(explorer.ask("unpin", session).json()["pinned"].is_null());
@@ -263,13 +255,13 @@ TEST(Designs, SayWhichCutsTheyTake) {
   EXPECT_EQ(status({1}), 400);
   EXPECT_EQ(status({{{"origin", {0, 0, 0}}, {"u", {1, 0, 0}}, {"v", {2, 0, 0}}}}), 400);
   const Json sliver{{"origin", {0, 0, 0}}, {"u", {1e9, 0, 0}}, {"v", {0, 1e-9, 0}}};
-  EXPECT_LE(head_of(explorer.ask("sections", session,
-                                 {{"sections", {sliver}}}))["values"]["count"],
+  EXPECT_LE(explorer.ask("sections", session, {{"sections", {sliver}}})
+                .packed_head("DLF1")["values"]["count"],
             11'000);
   const Answer large = explorer.ask("sections", session,
                                     {{"sections", {good}}, {"most", 4'000'000'000}});
   EXPECT_EQ(large.status, 200);
-  EXPECT_LE(head_of(large)["values"]["count"], 102'000) << "bounded";
+  EXPECT_LE(large.packed_head("DLF1")["values"]["count"], 102'000) << "bounded";
 }
 
 /// Its own scene first, by its name alone: the page never learns of folders.

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -22,6 +23,14 @@ Json Answer::json() const {
   Json document = Json::parse(body, nullptr, false);
   EXPECT_FALSE(document.is_discarded()) << "not a JSON document:\n" << head << body;
   return document;
+}
+
+Json Answer::packed_head(const std::string& letters) const {
+  EXPECT_EQ(status, 200) << body;
+  EXPECT_EQ(body.substr(0, 4), letters);
+  std::uint32_t length = 0;
+  if (body.size() >= 8) std::memcpy(&length, body.data() + 4, sizeof length);
+  return body.size() >= 8 ? Json::parse(body.substr(8, length)) : Json();
 }
 
 std::string Answer::error() const {

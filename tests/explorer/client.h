@@ -16,6 +16,8 @@ struct Answer {
 
   /// The body as a document; fails the test where it isn't one.
   Json json() const;
+  /// The text at the head of packed arrays, which begin with four letters.
+  [[nodiscard]] Json packed_head(const std::string& letters) const;
   /// The message of a refusal.
   [[nodiscard]] std::string error() const;
 };

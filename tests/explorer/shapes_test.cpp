@@ -1,20 +1,10 @@
 // What the server makes of the fields that a page draws.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "client.h"
 
 namespace delos::test {
 namespace {
-
-Json head_of(const Answer& answer) {
-  EXPECT_EQ(answer.status, 200) << answer.body;
-  EXPECT_EQ(answer.body.substr(0, 4), "DLS1");
-  std::uint32_t length = 0;
-  std::memcpy(&length, answer.body.data() + 4, sizeof length);
-  return Json::parse(answer.body.substr(8, length));
-}
 
 Answer shapes(const Explorer& explorer, const std::string& session, const Json& list) {
   return explorer.ask("shapes", session, {{"shapes", list}});
@@ -25,8 +15,9 @@ TEST(Shapes, AreThoseOfTheCommandLine) {
   const Explorer explorer;
   const std::string session = explorer.open("01-acoustic")["session"];
   EXPECT_EQ(explorer.ask("field", session).status, 200);
-  const Json head = head_of(
-      shapes(explorer, session, {{{"level", 0.025}}, {{"between", {nullptr, 0.03}}}}));
+  const Json head =
+      shapes(explorer, session, {{{"level", 0.025}}, {{"between", {nullptr, 0.03}}}})
+          .packed_head("DLS1");
   const Folder folder;
   const Json drawn =
       run({"render", scene("01-acoustic"), "--surface", "25 mm", "--between", ",30 mm",
@@ -45,15 +36,17 @@ TEST(Shapes, AreOfTheFieldThatWasAskedForLast) {
       << "there is none yet";
   explorer.ask("field", session);
   explorer.ask("pin", session);
-  const Json first = head_of(shapes(explorer, session, {{{"level", 0.025}}}));
+  const Json first =
+      shapes(explorer, session, {{{"level", 0.025}}}).packed_head("DLS1");
   explorer.ask("change", session,
                {{"set", {{{"path", "devices.s1.at.z"}, {"value", "0.9"}}}}});
-  EXPECT_EQ(head_of(shapes(explorer, session, {{{"level", 0.025}}})), first)
+  EXPECT_EQ(shapes(explorer, session, {{{"level", 0.025}}}).packed_head("DLS1"), first)
       << "the change hasn't been evaluated";
   explorer.ask("field", session, {{"most", 1000}});
   explorer.ask("field", session, {{"of", "pinned"}});
-  const Json now = head_of(shapes(
-      explorer, session, {{{"level", 0.025}}, {{"of", "pinned"}, {"level", 0.025}}}));
+  const Json now = shapes(explorer, session,
+                          {{{"level", 0.025}}, {{"of", "pinned"}, {"level", 0.025}}})
+                       .packed_head("DLS1");
   EXPECT_EQ(now["level"], "coarse");
   EXPECT_EQ(now["revision"], first["revision"].get<int>() + 2) << "pinned, and changed";
   EXPECT_NE(now["meshes"][0]["area"], first["meshes"][0]["area"]);
@@ -72,13 +65,14 @@ TEST(Shapes, OfReliefsAndLeaves) {
         {{{"relief",
            {{"axis", 2}, {"at", 1}, {"low", 0}, {"high", 1e-3}, {"size", 1}}}}}},
        {"leaves", {{"axis", 2}, {"at", 1}}}});
-  const Json head = head_of(answer);
+  const Json head = answer.packed_head("DLS1");
   ASSERT_EQ(head["meshes"].size(), 1u);
   EXPECT_GT(head["meshes"][0]["corners"], 0);
   const int near = head["leaves"]["count"];
-  const int all = head_of(explorer.ask(
-      "shapes", session,
-      {{"shapes", Json::array()}, {"leaves", Json::object()}}))["leaves"]["count"];
+  const int all = explorer
+                      .ask("shapes", session,
+                           {{"shapes", Json::array()}, {"leaves", Json::object()}})
+                      .packed_head("DLS1")["leaves"]["count"];
   EXPECT_TRUE(near > 0 && near < all) << near << " of " << all;
   const std::string summary = run({"field", scene("06-furnished-lab"), "--set",
                                    "sample.volume.adaptive.depth=2"})

@@ -272,7 +272,7 @@ TEST(Picture, RaisesSlicesByTheirValues) {
   const ColourRange range = range_of(drawn.field);
   const Eye eye = eye_of(loaded, options);
   const double z = layer_near(drawn.field, 5.6 * 0.3048);
-  int compared = 0, blind = 0;
+  int valued = 0, compared = 0, without = 0;
   for (std::size_t i = 0; i < drawn.field.value.size(); ++i) {
     Eigen::Vector3d p = drawn.field.samples.points[i];
     if (std::abs(p.z() - z) > 1e-9) continue;
@@ -283,144 +283,20 @@ TEST(Picture, RaisesSlicesByTheirValues) {
     const Pixel seen = pixel(picture, s.x, s.y);
     if (!there) {
       EXPECT_FALSE(looks_good(seen)) << p.transpose();
-      ++blind;
-    } else {
-      // As bright as it is lit: the hue is compared.
-      const auto wanted = colour_of(range, value);
-      const double light = seen[1] / (255 * wanted[1]);
-      bool alike = light > 0.49 && light < 1.02;
-      for (std::size_t c = 0; c < 3; ++c)
-        alike = alike && std::abs(seen[c] - 255 * light * wanted[c]) < 8;
-      compared += alike;
+      ++without;
+      continue;
     }
+    ++valued;
+    // As bright as it is lit: the hue is compared.
+    const auto wanted = colour_of(range, value);
+    const double light = seen[1] / (255 * wanted[1]);
+    bool alike = light > 0.49 && light < 1.02;
+    for (std::size_t c = 0; c < 3; ++c)
+      alike = alike && std::abs(seen[c] - 255 * light * wanted[c]) < 8;
+    compared += alike;
   }
-  EXPECT_GT(blind, 20);
-  EXPECT_GE(colours.size(), 2u) << "stripes";
-}
-
-// Scene 13 is blind everywhere.
-TEST(Picture, NeverShowsBlindAsGood) {
-  const session::LoadedScene loaded = scene_of("13-camera-spots");
-  PictureOptions options;
-  options.view = view_of("corner");
-  options.slices = {{0, {}}, {1, {}}, {2, {}}};
-  const Picture picture = render_picture(loaded, drawn_of(loaded), options);
-  EXPECT_FALSE(picture.range);
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const Pixel p = pixel(picture, x, y);
-      ASSERT_FALSE(looks_good(p)) << x << ' ' << y;
-    }
-}
-
-TEST(Picture, IsTheSameForAnyNumberOfThreads) {
-  const session::LoadedScene loaded = scene_of("05-optitrack-lab");
-  PictureOptions options;
-  options.view = view_of("corner");
-  options.slices = {{2, {}}};
-  options.levels = {0.0006};
-  const std::string one = png_of(render_picture(loaded, drawn_of(loaded, 1), options));
-  const std::string three =
-      png_of(render_picture(loaded, drawn_of(loaded, 3), options));
-  EXPECT_EQ(one.substr(1, 3), "PNG");
-  EXPECT_EQ(one, three);
-}
-
-TEST(Picture, DrawsSurfacesAtTheirLevels) {
-  const session::LoadedScene loaded = scene_of("01-acoustic");
-  const session::DrawnField drawn = drawn_of(loaded);
-  PictureOptions options = bare("top");
-  options.view.orthographic = true;
-  options.levels = {0.04};
-  const Picture picture = render_picture(loaded, drawn, options);
-  ASSERT_EQ(picture.shapes.size(), 1u);
-  // It runs through the whole column, a little bent: its area is above that of the
-  // column, 0.4 m by 0.4 m, and the picture shows its colour in the middle.
-  EXPECT_GT(picture.shapes[0].area, 0.16);
-  EXPECT_LT(picture.shapes[0].area, 0.17);
-  const Spot s =
-      eye_of(loaded, options).spot(eye_of(loaded, options).seen({0.2, 0.2, 0.4}));
-  EXPECT_LE(
-      apart(pixel(picture, s.x, s.y), bytes_of(colour_of(range_of(drawn.field), 0.04))),
-      6);
-
-  options.levels = {0.2};
-  EXPECT_THROW(static_cast<void>(render_picture(loaded, drawn, options)),
-               session::Refusal);
-}
-
-// The faces of the column through which the body between two surfaces is cut show its
-// values as a slice does.
-TEST(Picture, DrawsBodiesBetweenTwoValues) {
-  const session::LoadedScene loaded = scene_of("01-acoustic");
-  const session::DrawnField drawn = drawn_of(loaded);
-  PictureOptions options = bare("front");
-  options.view.orthographic = true;
-  options.between = {{0.02, 0.04}};
-  const Picture picture = render_picture(loaded, drawn, options);
-  ASSERT_EQ(picture.shapes.size(), 1u);
-  EXPECT_GT(picture.shapes[0].volume, 0);
-  const ColourRange range = range_of(drawn.field);
-  const Eye eye = eye_of(loaded, options);
-  int inside = 0, outside = 0;
-  for (std::size_t i = 0; i < drawn.field.value.size(); ++i) {
-    const Eigen::Vector3d& p = drawn.field.samples.points[i];
-    if (p.y() > 1e-9 || std::abs(p.x() - 0.2) > 0.15) continue;
-    const double value = drawn.field.value[i];
-    const Spot s = eye.spot(eye.seen(p));
-    const Pixel there = pixel(picture, s.x, s.y);
-    if (value > 0.0205 && value < 0.0395) {
-      ++inside;
-      EXPECT_LE(apart(there, bytes_of(colour_of(range, value))), 6) << p.transpose();
-    } else if (value > 0.045) {
-      ++outside;
-      EXPECT_EQ(there, (Pixel{255, 255, 255})) << p.transpose();
-    }
-  }
-  EXPECT_GT(inside, 50);
-  EXPECT_GT(outside, 50);
-  options.between = {{0.2, 0.3}};
-  EXPECT_EQ(render_picture(loaded, drawn, options).shapes[0].volume, 0);
-}
-
-// Each sample of the layer is seen at its height, unless something nearer hides it;
-// blind ones leave the hatched base.
-TEST(Picture, RaisesSlicesByTheirValues) {
-  const session::LoadedScene loaded = scene_of("04-motion-capture");
-  const session::DrawnField drawn = drawn_of(loaded);
-  PictureOptions options = bare("30,50");
-  options.view.orthographic = true;
-  options.slices = {{2, 5.6 * 0.3048}};
-  options.reliefs = true;
-  options.relief_height = 0.5;
-  const Picture picture = render_picture(loaded, drawn, options);
-  const ColourRange range = range_of(drawn.field);
-  const Eye eye = eye_of(loaded, options);
-  const double z = layer_near(drawn.field, 5.6 * 0.3048);
-  int compared = 0, blind = 0;
-  for (std::size_t i = 0; i < drawn.field.value.size(); ++i) {
-    Eigen::Vector3d p = drawn.field.samples.points[i];
-    if (std::abs(p.z() - z) > 1e-9) continue;
-    const double value = drawn.field.value[i];
-    const bool there = std::isfinite(value);
-    if (there) p.z() += 0.5 * (value - range.low) / (range.high - range.low);
-    const Spot s = eye.spot(eye.seen(p));
-    const Pixel seen = pixel(picture, s.x, s.y);
-    if (!there) {
-      EXPECT_FALSE(looks_good(seen)) << p.transpose();
-      ++blind;
-    } else {
-      // As bright as it is lit, so the hue is compared.
-      const auto wanted = colour_of(range, value);
-      const double light = seen[1] / (255 * wanted[1]);
-      if (light < 0.49 || light > 1.02) continue;
-      for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(seen[c] - 255 * light * wanted[c]) > 8) --compared, c = 3;
-      ++compared;
-    }
-  }
-  EXPECT_GT(blind, 20);
-  EXPECT_GT(compared, 1000) << "of 41 × 41 samples";
+  EXPECT_GT(without, 20);
+  EXPECT_GT(compared, 0.6 * valued) << "of " << valued;
 }
 
 TEST(Picture, DrawsCellsOfAnOctreeAlone) {

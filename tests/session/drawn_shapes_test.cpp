@@ -40,14 +40,15 @@ TEST(DrawnShapes, HaveNothingOfWhatIsBlind) {
   const auto meshes = shapes_of(drawn, BetweenShape{-kNoEnd, kNoEnd}, nullptr);
   ASSERT_EQ(meshes.size(), 1u);
   const double volume = grid.step.prod() * static_cast<double>(whole);
-  EXPECT_NEAR(volume_of(meshes[0].mesh), volume, 1e-9 * volume);
+  EXPECT_NEAR(shapes::volume_of(meshes[0].mesh), volume, 1e-9 * volume);
 }
 
 // Two bodies that share an end are one.
 TEST(DrawnShapes, AddUp) {
   const DrawnField drawn = draw_field(design_of("01-acoustic").loaded(), 0, {});
   const auto volume = [&](double low, double high) {
-    return volume_of(shapes_of(drawn, BetweenShape{low, high}, nullptr).at(0).mesh);
+    return shapes::volume_of(
+        shapes_of(drawn, BetweenShape{low, high}, nullptr).at(0).mesh);
   };
   EXPECT_NEAR(volume(-kNoEnd, 0.03) + volume(0.03, kNoEnd), volume(-kNoEnd, kNoEnd),
               1e-9);

@@ -45,20 +45,12 @@ void main() {
   if (any(lessThan(place, low)) || any(greaterThan(place, high))) discard;
   vec2 s = clamp(at, 0.0, 1.0) * (counts - 1.0);
   ivec2 last = ivec2(counts) - 1;
-  if (raised) {  // what has values stands above
-    ivec2 first = min(ivec2(s), max(last - 1, 0));
-    int values = 0;
-    for (int k = 0; k < 4; ++k) {
-      float there = texelFetch(samples, min(first + ivec2(k & 1, k >> 1), last), 0).y;
-      if (there > 0.5 && there < 1.5) ++values;
-    }
-    if (values == 4) discard;
-  }
   vec2 nearest = texelFetch(samples, min(ivec2(s + 0.5), last), 0).xy;
   if (nearest.y < 0.5 || nearest.y > 1.5) {
     colour = vec4(withoutValue(nearest.y), 1.0);
     return;
   }
+  if (raised) discard;  // it stands above
   float value = nearest.x;
   if (blend) {
     ivec2 low = ivec2(s);
