@@ -36,18 +36,24 @@ const std::string* find_key(const std::vector<WrittenKey>& sections,
 }
 
 /// Orientations may stand in `sample` or beside it: where one of the two is set, both
-/// are, so that they stand in one place.
+/// are, so that they stand in one place, whichever the file has chosen.
 void keep_orientations(const std::vector<WrittenKey>& after,
                        std::vector<Override>& changes) {
   const auto is_set = [&](const std::string& key) {
     return std::any_of(changes.begin(), changes.end(),
                        [&](const Override& change) { return change.path == key; });
   };
-  const bool sample = is_set("sample"), orientations = is_set("orientations");
-  if (sample == orientations) return;
-  const char* other = sample ? "orientations" : "sample";
-  if (const std::string* text = find_key(after, other))
-    changes.insert(changes.begin(), {other, *text});
+  if (!is_set("sample") && !is_set("orientations")) return;
+  for (const char* key : {"sample", "orientations"})
+    if (const std::string* text = find_key(after, key); text && !is_set(key))
+      changes.push_back({key, *text});
+  if (find_key(after, "orientations")) return;
+  std::erase_if(changes, [](const Override& change) {
+    return change.path == "-" && change.value == "orientations";
+  });
+  // The file may have none to take away.
+  changes.push_back({"orientations", "{}"});
+  changes.push_back({"-", "orientations"});
 }
 
 double& number_at(Scene& scene, const std::string& path, PluginRegistry& plugins) {

@@ -70,6 +70,10 @@ TEST_P(Sheets, ShowWhatIsWritten) {
   std::size_t written = 0;
   const std::function<void(const Json&)> count = [&](const Json& value) {
     if (value.is_structured() && value.size() > 60) return;
+    // Names with dots are paths: such a mapping is one text.
+    if (value.is_object())
+      for (const auto& [name, inner] : value.items())
+        if (name.find('.') != std::string::npos) return;
     if (value.is_string()) {
       written += value.get<std::string>().find_first_not_of("0123456789.-e") ==
                  std::string::npos;
