@@ -8,7 +8,7 @@
 namespace delos::test {
 namespace {
 
-Json head_of(const Answer& answer) {
+Json shapes_head(const Answer& answer) {
   EXPECT_EQ(answer.status, 200) << answer.body;
   EXPECT_EQ(answer.body.substr(0, 4), "DLS1");
   std::uint32_t length = 0;
@@ -25,7 +25,7 @@ TEST(Shapes, AreThoseOfTheCommandLine) {
   const Explorer explorer;
   const std::string session = explorer.open("01-acoustic")["session"];
   EXPECT_EQ(explorer.ask("field", session).status, 200);
-  const Json head = head_of(
+  const Json head = shapes_head(
       shapes(explorer, session, {{{"level", 0.025}}, {{"between", {nullptr, 0.03}}}}));
   const Folder folder;
   const Json drawn =
@@ -45,14 +45,14 @@ TEST(Shapes, AreOfTheFieldThatWasAskedForLast) {
       << "there is none yet";
   explorer.ask("field", session);
   explorer.ask("pin", session);
-  const Json first = head_of(shapes(explorer, session, {{{"level", 0.025}}}));
+  const Json first = shapes_head(shapes(explorer, session, {{{"level", 0.025}}}));
   explorer.ask("change", session,
                {{"set", {{{"path", "devices.s1.at.z"}, {"value", "0.9"}}}}});
-  EXPECT_EQ(head_of(shapes(explorer, session, {{{"level", 0.025}}})), first)
+  EXPECT_EQ(shapes_head(shapes(explorer, session, {{{"level", 0.025}}})), first)
       << "the change hasn't been evaluated";
   explorer.ask("field", session, {{"most", 1000}});
   explorer.ask("field", session, {{"of", "pinned"}});
-  const Json now = head_of(shapes(
+  const Json now = shapes_head(shapes(
       explorer, session, {{{"level", 0.025}}, {{"of", "pinned"}, {"level", 0.025}}}));
   EXPECT_EQ(now["level"], "coarse");
   EXPECT_EQ(now["revision"], first["revision"].get<int>() + 2) << "pinned, and changed";
@@ -72,11 +72,11 @@ TEST(Shapes, OfReliefsAndLeaves) {
         {{{"relief",
            {{"axis", 2}, {"at", 1}, {"low", 0}, {"high", 1e-3}, {"size", 1}}}}}},
        {"leaves", {{"axis", 2}, {"at", 1}}}});
-  const Json head = head_of(answer);
+  const Json head = shapes_head(answer);
   ASSERT_EQ(head["meshes"].size(), 1u);
   EXPECT_GT(head["meshes"][0]["corners"], 0);
   const int near = head["leaves"]["count"];
-  const int all = head_of(explorer.ask(
+  const int all = shapes_head(explorer.ask(
       "shapes", session,
       {{"shapes", Json::array()}, {"leaves", Json::object()}}))["leaves"]["count"];
   EXPECT_TRUE(near > 0 && near < all) << near << " of " << all;
