@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "server/request.h"
@@ -11,9 +12,10 @@ constexpr std::size_t kMostShapes = 16, kMostTriangles = 4'000'000;
 constexpr double kOpen = std::numeric_limits<double>::infinity();
 constexpr double kFarthest = 1e6;  // metres
 
-double finite_at(const Json& json, const char* key) {
-  return number_or(json, key, 0, std::numeric_limits<double>::max(),
-                   std::numeric_limits<double>::lowest());
+double finite(const Json& json, const char* key) {
+  if (!json.is_number() || !std::isfinite(json.get<double>()))
+    throw BadRequest("'" + std::string(key) + "' must be a finite number");
+  return json.get<double>();
 }
 
 /// {axis: 0, 1 or 2, at}
@@ -29,8 +31,7 @@ session::BetweenShape between_of(const Json& ends) {
   if (!ends.is_array() || ends.size() != 2)
     throw BadRequest("'between' must be two values, null where there is no end");
   const auto end = [&](std::size_t k, double open) {
-    return ends[k].is_null() ? open
-                             : numbers_at(Json::array({ends[k]}), "between", 1)[0];
+    return ends[k].is_null() ? open : finite(ends[k], "between");
   };
   return {end(0, -kOpen), end(1, kOpen)};
 }
@@ -38,7 +39,8 @@ session::BetweenShape between_of(const Json& ends) {
 session::ReliefShape relief_of(const Json& json) {
   session::ReliefShape shape;
   if (json.contains("axis")) shape.layer = plane_of(json);
-  shape.heights = {finite_at(json, "low"), finite_at(json, "high"),
+  shape.heights = {finite(member(json, "low"), "low"),
+                   finite(member(json, "high"), "high"),
                    json.contains("log10") && json["log10"] == true,
                    number_or(json, "size", 1, kFarthest, -kFarthest)};
   if (shape.heights.log10 && !(shape.heights.low > 0))
@@ -52,7 +54,7 @@ session::FieldShape shape_of(const Json& json) {
     return relief_of(json["relief"]);
   if (!json.contains("level"))
     throw BadRequest("a shape must have 'level', 'between' or 'relief'");
-  return session::LevelShape{finite_at(json, "level")};
+  return session::LevelShape{finite(json["level"], "level")};
 }
 
 KeptField kept_of(const Work& work, const Json& json) {

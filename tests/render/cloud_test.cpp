@@ -10,14 +10,14 @@ namespace {
 
 using session::Drawn;
 
-const Frame kFrame{80, 60, 80};
+const Frame kCloudFrame{80, 60, 80};
 /// 2 m × 2 m × 1 m, so that its diagonal is 3 m.
-const Eigen::AlignedBox3d kBox(Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, 1, 1));
-const Colour kWhite{1, 1, 1};
+const Eigen::AlignedBox3d kHazed(Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, 1, 1));
+const Colour kClear{1, 1, 1};
 
-session::DrawnField uniform(Drawn what, double value) {
+session::DrawnField filled(Drawn what, double value) {
   session::DrawnField drawn;
-  const GridShape grid{kBox.min(), {0.5, 0.5, 0.25}, {5, 5, 5}};
+  const GridShape grid{kHazed.min(), {0.5, 0.5, 0.25}, {5, 5, 5}};
   drawn.field.samples.parts = {{"", 0, 125, grid}};
   drawn.field.value.assign(125, value);
   drawn.mask.assign(125, what);
@@ -25,11 +25,12 @@ session::DrawnField uniform(Drawn what, double value) {
 }
 
 /// The middle of the picture from above.
-Colour seen(const session::DrawnField& drawn, bool orthographic, double opaque_at) {
+Colour middle_of(const session::DrawnField& drawn, bool orthographic,
+                 double opaque_at) {
   View view = view_of("top");
   view.orthographic = orthographic;
-  const Eye eye(view, kBox, {160, 120, 160});
-  Raster raster(kFrame, kWhite);
+  const Eye eye(view, kHazed, {160, 120, 160});
+  Raster raster(kCloudFrame, kClear);
   const auto corner = [&](double x, double y) {
     return Corner{eye.seen({x, y, opaque_at}), Eigen::Vector3d::Zero()};
   };
@@ -60,7 +61,7 @@ TEST(Cloud, LetsThroughWhatItsDensitySays) {
       // In steps, of which there are 40: an end within one is up to 1/80 off.
       for (const auto& [opaque, way, error] :
            {std::tuple(-0.5, 1.0, 0.004), {0.4, 0.6, 0.02}, {1.5, 0.0, 0.004}}) {
-        const Colour there = seen(uniform(what, 0.5), orthographic, opaque);
+        const Colour there = middle_of(filled(what, 0.5), orthographic, opaque);
         const double hidden = 1 - std::exp(-density * way / 3);
         for (std::size_t c = 0; c < 3; ++c)
           EXPECT_NEAR(there[c], hidden * colour[c], error)
@@ -71,8 +72,8 @@ TEST(Cloud, LetsThroughWhatItsDensitySays) {
 
 // What is worst is thin, what is best is dense, also where more is better.
 TEST(Cloud, IsDensestWhereItIsGood) {
-  const double best = seen(uniform(Drawn::value, 0), true, -0.5)[1],
-               worst = seen(uniform(Drawn::value, 1), true, -0.5)[1];
+  const double best = middle_of(filled(Drawn::value, 0), true, -0.5)[1],
+               worst = middle_of(filled(Drawn::value, 1), true, -0.5)[1];
   EXPECT_GT(best, 3 * worst);
 }
 
