@@ -61,6 +61,7 @@ asio::awaitable<void> watch(beast::tcp_stream stream,
                                      asio::redirect_error(asio::use_awaitable, error));
   if (error) co_return;
   line->socket.text(true);
+  line->socket.auto_fragment(false);
   line->socket.async_read(
       line->heard, [line](beast::error_code, std::size_t) { line->over = true; });
   ++visitor->watchers;

@@ -29,7 +29,7 @@ TEST(Watching, AreToldAsTheyGoOn) {
   EXPECT_EQ(told.status, 101) << told.head;
   // The key's answer is RFC 6455's own example, section 1.3.
   EXPECT_NE(told.head.find("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="), std::string::npos);
-  EXPECT_EQ(told.body.substr(0, 1), "\x81") << "a text";
+  EXPECT_EQ(told.body.substr(0, 1), "\x81") << "a text, whole";
   EXPECT_NE(told.body.find(R"("phase":"running")"), std::string::npos);
   EXPECT_NE(told.body.find(R"("phase":"ended")"), std::string::npos);
   // Each incumbent once.
