@@ -103,8 +103,9 @@ void SearchRun::lock(const std::string& pattern, bool locked) {
   const auto shown = best();
   // By itself the round would go on from what is best on all samples, which may be
   // another design than the one that was looked at and locked.
-  study.act(locked ? "lock" : "unlock", pattern);
-  if (shown) study.act("inject", text_of(shown->values));
+  std::vector<StudyAct> acts{{0, 0, locked ? "lock" : "unlock", pattern}};
+  if (shown) acts.push_back({0, 0, "inject", text_of(shown->values)});
+  study.act(acts);
   const std::lock_guard hold(mutex_);
   locked_ = study.summary().locked;
   record_.part_from_rounds(record_.round());
@@ -155,8 +156,10 @@ void SearchRun::follow_hand(Study& study) {
     stop_ = false;
   }
   const Scene stands = study.scene();
+  std::vector<StudyAct> acts;
   for (const Override& change : changes_between(stands, judged_like(*edited, stands)))
-    study.act("set", change.path + "=" + change.value);
+    acts.push_back({0, 0, "set", change.path + "=" + change.value});
+  study.act(acts);
 }
 
 void SearchRun::hear(const StudyEvaluation& evaluation, const Study& study) {

@@ -352,18 +352,24 @@ std::vector<StudyEvaluation> Study::evaluations(int round) const {
 }
 
 void Study::act(const std::string& verb, const std::string& argument) {
+  act({{0, 0, verb, argument}});
+}
+
+void Study::act(const std::vector<StudyAct>& acts) {
   State& s = *state_;
   s.database.run("BEGIN IMMEDIATE");
   try {
-    // Tried before it is journalled.
-    const int number = s.acts_so_far() + 1, after = s.last_round();
-    s.journal(verb).act({number, after, verb, argument});
-    s.database.prepare("INSERT INTO acts VALUES (?, ?, ?, ?)")
-        .bind(1, std::int64_t{number})
-        .bind(2, std::int64_t{after})
-        .bind(3, verb)
-        .bind(4, argument)
-        .step();
+    for (const StudyAct& asked : acts) {
+      // Tried before it is journalled.
+      const int number = s.acts_so_far() + 1, after = s.last_round();
+      s.journal(asked.verb).act({number, after, asked.verb, asked.argument});
+      s.database.prepare("INSERT INTO acts VALUES (?, ?, ?, ?)")
+          .bind(1, std::int64_t{number})
+          .bind(2, std::int64_t{after})
+          .bind(3, asked.verb)
+          .bind(4, asked.argument)
+          .step();
+    }
     s.database.run("COMMIT");
   } catch (...) {
     s.database.run("ROLLBACK");

@@ -129,6 +129,24 @@ TEST(Study, UndoesActsThatNoRoundHasBegunWith) {
   EXPECT_THROW(study.act("undo", ""), std::invalid_argument);
 }
 
+TEST(Study, TakesActsTogetherOrNoneOfThem) {
+  const Folder folder;
+  Study study = begun(folder / "s");
+  const Scene before = study.scene();
+  EXPECT_THROW(study.act({{0, 0, "lock", "devices.s1.at.x"},
+                          {0, 0, "set", "devices.nobody.at.x=1"}}),
+               std::invalid_argument);
+  EXPECT_TRUE(study.summary().acts.empty());
+  EXPECT_TRUE(study.summary().locked.empty());
+  // Each follows from those before it.
+  study.act({{0, 0, "lock", "devices.s1.at.x"},
+             {0, 0, "set", "devices.s1.at.x=-0.2"},
+             {0, 0, "undo", ""}});
+  EXPECT_EQ(study.summary().acts.size(), 3u);
+  EXPECT_TRUE(study.scene() == before);
+  EXPECT_EQ(study.summary().locked, std::vector<std::string>{"devices.s1.at.x"});
+}
+
 // Acts of rounds that have ended: what the act changed is as before, what searches have
 // found since stays.
 TEST(Study, UndoesActsOfEarlierRounds) {

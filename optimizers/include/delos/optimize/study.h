@@ -116,6 +116,10 @@ class Study {
   ///
   /// @throws std::invalid_argument what is wrong with it; nothing is journalled then
   void act(const std::string& verb, const std::string& argument);
+  /// Several at once: no round begins between them.
+  /// @param acts verb and argument of each; their numbers are the study's
+  /// @throws std::invalid_argument what is wrong with one; none is journalled then
+  void act(const std::vector<StudyAct>& acts);
 
   /// Ask a search that runs to stop, with its best so far; resumed, it goes on as if it
   /// hadn't been.
