@@ -6,17 +6,10 @@
 #include <fstream>
 
 #include "program.h"
+#include "support/occurrences.h"
 
 namespace delos::test {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + what.size()))
-    ++n;
-  return n;
-}
 
 bool has(const std::string& page, const std::string& what) {
   return page.find(what) != std::string::npos;
@@ -25,9 +18,10 @@ bool has(const std::string& page, const std::string& what) {
 /// Everything is within the file.
 void expect_self_contained(const std::string& page) {
   EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
-  EXPECT_EQ(count(page, " src=\""), count(page, " src=\"data:image/png;base64,"));
-  EXPECT_EQ(count(page, "<link rel=\"icon\" href=\"data:"), 1u);
-  EXPECT_EQ(count(page, "<link"), 1u);
+  EXPECT_EQ(occurrences(page, " src=\""),
+            occurrences(page, " src=\"data:image/png;base64,"));
+  EXPECT_EQ(occurrences(page, "<link rel=\"icon\" href=\"data:"), 1u);
+  EXPECT_EQ(occurrences(page, "<link"), 1u);
 }
 
 /// What is frozen into a page.
@@ -73,8 +67,8 @@ TEST(Report, OfASceneTellsTheFieldDevicesAndWhereItIsBlind) {
   EXPECT_EQ(done.out, "");
   const std::string page = read_file(folder.path() / "lab.html");
   expect_self_contained(page);
-  EXPECT_EQ(count(page, "alt=\"Map of eigmax"), 3u);
-  EXPECT_EQ(count(page, "alt=\"The devices of "), 1u);
+  EXPECT_EQ(occurrences(page, "alt=\"Map of eigmax"), 3u);
+  EXPECT_EQ(occurrences(page, "alt=\"The devices of "), 1u);
   const Json report = frozen(page);
   EXPECT_EQ(report["kind"], "scene");
   bool hidden = false, beyond = false;
@@ -130,7 +124,7 @@ TEST(Report, OfAStudyTellsBeforeAndAfter) {
                   "<h1>&lt;/script&gt;&lt;b&gt;Ours&lt;/b&gt; &amp; "
                   "&quot;theirs&quot;</h1>"));
   // Three levels, each before, after and as a change.
-  EXPECT_EQ(count(page, "alt=\"Map of eigmax"), 9u);
+  EXPECT_EQ(occurrences(page, "alt=\"Map of eigmax"), 9u);
   const Json report = frozen(page), result = resumed.json();
   EXPECT_EQ(report["after"]["description"]["name"],
             "</script><b>Ours</b> & \"theirs\"");

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "figures/chart.h"
+#include "support/occurrences.h"
 
 namespace delos::figures {
 namespace {
@@ -13,14 +14,6 @@ namespace {
 const std::string kEvil = "<script>alert(\"1\")</script> & 'so' on";
 const std::string kEscaped =
     "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;so&#39; on";
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + what.size()))
-    ++n;
-  return n;
-}
 
 TEST(Html, EscapesTextAndAttributes) {
   EXPECT_EQ(Html(kEvil).str(), kEscaped);
@@ -41,9 +34,9 @@ TEST(Html, HoldsNoControlCharacters) {
 TEST(Page, IsWholeAndNeedsNothingElse) {
   const std::string text = page(kEvil, element("h1", kEvil) + element("p", kEvil));
   EXPECT_EQ(text.rfind("<!DOCTYPE html>\n<html lang=\"en\">", 0), 0u);
-  EXPECT_EQ(count(text, kEscaped), 3u);
+  EXPECT_EQ(test::occurrences(text, kEscaped), 3u);
   for (const char* outside : {"<script", "http://", "https://", "<link", "@import"})
-    EXPECT_EQ(count(text, outside), 0u) << outside;
+    EXPECT_EQ(test::occurrences(text, outside), 0u) << outside;
 }
 
 TEST(Chart, SaysWhatItShowsAndDrawsEveryPoint) {
@@ -56,19 +49,19 @@ TEST(Chart, SaysWhatItShowsAndDrawsEveryPoint) {
   chart.marks = {{4, kEvil}};
   const std::string text = chart_figure(chart, kEvil).str();
   EXPECT_NE(text.find("role=\"img\" aria-label=\"" + kEscaped), std::string::npos);
-  EXPECT_EQ(count(text, "<circle"), 3u);
-  EXPECT_EQ(count(text, "<script>"), 0u);
+  EXPECT_EQ(test::occurrences(text, "<circle"), 3u);
+  EXPECT_EQ(test::occurrences(text, "<script>"), 0u);
   EXPECT_NE(text.find("eigmax [mm]"), std::string::npos) << text;
-  EXPECT_EQ(count(text, "nan"), 0u);
-  EXPECT_EQ(count(text, "inf"), 0u);
+  EXPECT_EQ(test::occurrences(text, "nan"), 0u);
+  EXPECT_EQ(test::occurrences(text, "inf"), 0u);
 }
 
 TEST(Chart, OfOnePointHasAnAxis) {
   Chart chart;
   chart.series = {{"one", Stroke::line, {{3, 0}}}};
   const std::string text = chart_figure(chart, "").str();
-  EXPECT_EQ(count(text, "nan"), 0u) << text;
-  EXPECT_EQ(count(text, "inf"), 0u);
+  EXPECT_EQ(test::occurrences(text, "nan"), 0u) << text;
+  EXPECT_EQ(test::occurrences(text, "inf"), 0u);
 }
 
 }  // namespace

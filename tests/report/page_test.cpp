@@ -4,19 +4,12 @@
 
 #include "bundle/page_file.h"
 #include "report/report.h"
+#include "support/occurrences.h"
 
 namespace delos::report {
 namespace {
 
 const std::string kEvil = "</script><img src=x onerror=alert(1)><!--<script>";
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos;
-       at = text.find(what, at + what.size()))
-    ++n;
-  return n;
-}
 
 std::string page_of_evil() {
   return page_of(
@@ -33,11 +26,11 @@ std::string content_of(const std::string& page, const std::string& tag) {
 
 TEST(ReportPage, KeepsNamesInTheirPlaces) {
   const std::string page = page_of_evil();
-  EXPECT_EQ(count(page, "<img src=x"), 0u);
+  EXPECT_EQ(test::occurrences(page, "<img src=x"), 0u);
   // Three scripts: the data, the licences, the program; each ends once.
-  EXPECT_EQ(count(page, "</script"), 3u);
-  EXPECT_EQ(count(page, "&lt;/script&gt;&lt;img src=x"), 5u);  // title twice, headline,
-                                                               // alternative, caption
+  EXPECT_EQ(test::occurrences(page, "</script"), 3u);
+  // In the title twice, the headline, the alternative text and the caption.
+  EXPECT_EQ(test::occurrences(page, "&lt;/script&gt;&lt;img src=x"), 5u);
   const auto data = session::Json::parse(
       content_of(page, "<script type=\"application/json\" id=\"frozen\">"));
   EXPECT_EQ(data[kEvil], kEvil);
@@ -62,8 +55,9 @@ TEST(ReportPage, AsksNothingOfANetwork) {
   const std::string page = page_of_evil();
   EXPECT_NE(page.find("default-src &#39;none&#39;"), std::string::npos);
   const std::string head = page.substr(0, page.find("<style>"));
-  EXPECT_EQ(count(head, "href="), count(head, "href=\"data:"));
-  EXPECT_EQ(count(page, "<img "), count(page, "<img src=\"data:image/png;base64,"));
+  EXPECT_EQ(test::occurrences(head, "href="), test::occurrences(head, "href=\"data:"));
+  EXPECT_EQ(test::occurrences(page, "<img "),
+            test::occurrences(page, "<img src=\"data:image/png;base64,"));
 }
 
 }  // namespace
