@@ -248,8 +248,8 @@ TEST(Study, TakesActsInFlight) {
     ++round;
   };
   act({"lock", "devices.west"});
-  act({"set", "devices.east.aim.z=0.7"});
   act({"lock", "devices.east.aim"});
+  act({"set", "devices.east.aim.z=0.7"});  // locked, it stays
   act({"forbid", "{sphere: {radius: 40 cm}, at: [3, 2.5, 3]}"});
   act({"keep", "{name: far, spacing: 70 cm, devices: \"*\"}"});
   act({"drop", "apart"});
