@@ -48,7 +48,7 @@ LeafEdges leaf_edges(const std::vector<Eigen::Vector3d>& points, const SamplePar
         }
   }
   std::ranges::sort(lines);
-  lines.erase(std::ranges::unique(lines).begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   for (const std::uint64_t line : lines)
     for (const std::uint64_t node : {line >> 32, line & 0xffffffff})
       edges.ends.push_back(points[part.first + node]);

@@ -25,7 +25,7 @@ ShapeMesh relief(const Sheet& sheet, const std::function<double(std::size_t)>& v
       if (!std::isfinite(v)) continue;
       there[place(i, j)] = true;
       vertex[place(i, j)] = static_cast<std::uint32_t>(shape.values.size());
-      shape.mesh.vertices.push_back(sheet.at(i, j) + heights.of(v) * sheet.up);
+      shape.mesh.vertices.emplace_back(sheet.at(i, j) + heights.of(v) * sheet.up);
       shape.values.push_back(v);
     }
   const bool right_handed = sheet.u.cross(sheet.v).dot(sheet.up) > 0;
