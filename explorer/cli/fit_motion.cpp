@@ -9,9 +9,9 @@
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
+#include "figures/chart.h"
 #include "json.h"
 #include "quantity.h"
-#include "figures/chart.h"
 #include "session/motion_json.h"
 #include "session/written_field.h"
 #include "summary.h"
@@ -137,7 +137,8 @@ std::string page_of(const Track& track, double period,
   for (const Segment& s : segments)
     chart.marks.push_back(
         {s.from, std::string(kShort[s.fit.best]) + ", " + verdict(s.fit)});
-  return figures::page(source, figures::chart_figure(chart, source + ", " + track.name));
+  return figures::page(source,
+                       figures::chart_figure(chart, source + ", " + track.name));
 }
 
 int run(const FitMotionCommand& command) {

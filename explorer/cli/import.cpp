@@ -9,8 +9,8 @@
 #include "delos/text/format.h"
 #include "delos/text/units.h"
 #include "delos/text/words.h"
-#include "imports/opening.h"
 #include "figures/rig_figure.h"
+#include "imports/opening.h"
 #include "session/written_field.h"
 #include "summary.h"
 

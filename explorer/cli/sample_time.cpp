@@ -9,9 +9,9 @@
 #include "command.h"
 #include "delos/text/format.h"
 #include "delos/text/units.h"
+#include "figures/chart.h"
 #include "json.h"
 #include "quantity.h"
-#include "figures/chart.h"
 #include "session/written_field.h"
 #include "summary.h"
 
@@ -141,7 +141,7 @@ void print(std::ostream& out, const SampleTimeAnswer& answer,
 }
 
 figures::Series series(const std::string& name, const std::vector<double>& times,
-                      const std::vector<double>& values) {
+                       const std::vector<double>& values) {
   constexpr std::size_t kFew = 30;
   figures::Series out{
       name, times.size() <= kFew ? figures::Stroke::line : figures::Stroke::curve, {}};

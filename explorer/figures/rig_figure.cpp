@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "delos/sampling/samples.h"
-#include "output/ticks.h"
 #include "figures/svg.h"
+#include "output/ticks.h"
 #include "session/view_outline.h"
 
 namespace delos::figures {

@@ -4,9 +4,9 @@
 
 #include "delos/text/units.h"
 #include "session/description.h"
+#include "session/form_edits.h"
 #include "session/refusal.h"
 #include "session/scene_changes.h"
-#include "session/form_edits.h"
 #include "session/value_tree.h"
 
 namespace delos::session {

@@ -6,8 +6,8 @@
 #include "delos/scene/definition.h"
 #include "delos/scene/io.h"
 #include "designs.h"
-#include "session/refusal.h"
 #include "session/form_edits.h"
+#include "session/refusal.h"
 #include "session/value_tree.h"
 
 namespace delos::session {
